@@ -13,11 +13,11 @@ from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import cache
 from math import inf, isqrt
-from typing import Any, NamedTuple
+from typing import Any, Generic, NamedTuple, NoReturn
 
 from flint import arb
 
-from kurbel.books.form import UNREAD
+from kurbel.books.form import UNREAD, Value
 from kurbel.books.printed_value import PrintedValue, Units
 from kurbel.drive.crank import Crank
 from kurbel.engine.cylinder import TurnPlace
@@ -28,9 +28,10 @@ from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.turn import turn_of
 from kurbel.errors import NotationError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
-from kurbel.exact.kind import balls, bounds
+from kurbel.exact.kind import Kind, balls, separation_of
 from kurbel.exact.numerals import Label
 from kurbel.exact.separation import Separation, circle_separation, power
+from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.linkage import beam_engine as beam
 from kurbel.motion import evaluation
 from kurbel.motion.motion_quantities import registry as motion_registry
@@ -42,21 +43,21 @@ from kurbel.reading.notation import angle, number, plain, ratio, ratio_text
 FUNCTIONS = ("sin", "cos", "sqrt", "ln", "arccos")
 
 
-class Numbers(NamedTuple):
+class Numbers(NamedTuple, Generic[Value]):
     """A kind of number: of a fraction, sine and cosine of exact degrees, logarithm, arc and root."""
 
-    of: Callable[[Fraction], Any]
-    circle: Callable[[Fraction], Any]
-    ln: Callable[[Any], Any]
-    arccos: Callable[[Any], Any]
-    root: Callable[[Any], Any] = lambda value: value**0.5
+    of: Callable[[Fraction], Value]
+    circle: Callable[[Fraction], Circle[Value]]
+    ln: Callable[[Value], Value]
+    arccos: Callable[[Value], Value]
+    root: Callable[[Value], Value]
 
 
 class IrrationalError(ArithmeticError):
     """A value is not of the kind, or not known to be."""
 
 
-def irrational(value: Any) -> Any:
+def irrational(value: object) -> NoReturn:
     """Raise IrrationalError: what stands for a function whose values are not of the kind."""
     raise IrrationalError
 
@@ -89,9 +90,13 @@ class Expression:
         """Return the same with numbers in place of their names."""
         return Expression(self.text, numbers)
 
-    def value(self, kind: Numbers, cell: Callable[[str], Any]) -> Any:
+    def value(self, kind: Numbers[Value], cell: Callable[[str], Value]) -> Value:
         """Return the value on a kind of number, with those of the cells that it names."""
         return _value(self._tree, kind, cell)
+
+    def fraction(self) -> Fraction:
+        """Return the value where there are no cells; raise IrrationalError if it is no fraction."""
+        return self.value(FRACTIONS, irrational)
 
 
 def _check(tree: ast.expr, text: str, later: bool) -> None:
@@ -135,7 +140,7 @@ def _written_out(tree: ast.expr, text: str) -> Fraction:
     raise NotationError(f'"{text[:60]}" has a sine or cosine of no number; write its degrees out')
 
 
-def _value(tree: ast.expr, kind: Numbers, cell: Callable[[str], Any]) -> Any:
+def _value(tree: ast.expr, kind: Numbers[Value], cell: Callable[[str], Value]) -> Value:
     match tree:
         case ast.Constant(value=Fraction() as value):
             return kind.of(value)
@@ -144,9 +149,11 @@ def _value(tree: ast.expr, kind: Numbers, cell: Callable[[str], Any]) -> Any:
         case ast.UnaryOp(operand=inner):
             return -_value(inner, kind, cell)
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=Fraction() as height)):
-            return power(_value(left, kind, cell), int(height))
+            raised: Value = power(_value(left, kind, cell), int(height))
+            return raised
         case ast.BinOp(left=left, op=op, right=right):
-            return OPERATIONS[type(op)](_value(left, kind, cell), _value(right, kind, cell))
+            found: Value = OPERATIONS[type(op)](_value(left, kind, cell), _value(right, kind, cell))
+            return found
         case ast.Call(func=ast.Name(id="sin"), args=[inner]):
             return kind.circle(_written_out(inner, "")).sine
         case ast.Call(func=ast.Name(id="cos"), args=[inner]):
@@ -157,9 +164,9 @@ def _value(tree: ast.expr, kind: Numbers, cell: Callable[[str], Any]) -> Any:
     raise AssertionError(tree)
 
 
-BALLS = Numbers(ball, ball_circle, lambda value: value.log(), lambda value: 90 - ball_degrees(value))
-FRACTIONS = Numbers(lambda value: value, irrational, irrational, irrational, fraction_root)
-BOUNDS = Numbers(Separation.rational, circle_separation, irrational, irrational)
+BALLS = Numbers(ball, ball_circle, lambda value: value.log(), lambda value: 90 - ball_degrees(value), root)
+FRACTIONS: Numbers[Fraction] = Numbers(lambda value: value, irrational, irrational, irrational, fraction_root)
+BOUNDS = Numbers(Separation.rational, circle_separation, irrational, irrational, lambda value: value**0.5)
 
 
 class TrueValue(NamedTuple):
@@ -238,12 +245,11 @@ def _rational(formula: Expression, cells: Callable[[str], TrueValue]) -> Fractio
         return irrational(name) if found is None else found
 
     try:
-        value: Fraction = formula.value(FRACTIONS, fraction)
+        return formula.value(FRACTIONS, fraction)
     except IrrationalError:
         return None
     except ZeroDivisionError:
         raise NotationError(f'"{formula.text[:60]}" divides by zero') from None
-    return value
 
 
 def kept(truth: TrueValue) -> TrueValue:
@@ -290,13 +296,13 @@ def _motion_truth(key: str, method: str, ratio: Fraction, phi: Fraction) -> True
     if not evaluation.is_known(quantity, crank):
         raise NotationError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
 
-    def run(kind: Any) -> Any:
+    def run(kind: Kind) -> Numeric:
         return evaluation.value(quantity, method, crank, kind.circle(phi), kind)
 
     # A method without a formula is told here, before anything is computed.
     evaluation.kernel_of(quantity, method, crank)
     algebraic = not evaluation.is_transcendental(quantity, crank)
-    return TrueValue(lambda: run(balls()), cache(lambda: run(bounds())) if algebraic else None)
+    return TrueValue(lambda: ball(run(balls())), cache(lambda: separation_of(run)) if algebraic else None)
 
 
 def _engine_truth(
@@ -312,11 +318,7 @@ def _engine_truth(
     if not applies(quantity, where):
         raise NotationError(f"{key} is no quantity of {stroke}")
 
-    def value() -> Any:
-        found = engine_value(quantity, turn, where)
-        return ball(found) if isinstance(found, Fraction) else found
-
-    return TrueValue(value)
+    return TrueValue(lambda: ball(engine_value(quantity, turn, where)))
 
 
 @cache

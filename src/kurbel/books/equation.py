@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property
 from random import Random
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb, arb_series
 
-from kurbel.books.form import Algebra, Form, Letters
+from kurbel.books.form import Algebra, Form, Letters, Value
 from kurbel.books.proof import (
     MOST_AT_POINTS,
     MOST_OF_PROOFS,
@@ -21,7 +21,7 @@ from kurbel.books.proof import (
     UnprovableError,
     Work,
 )
-from kurbel.exact.certify import at_bits, ball
+from kurbel.exact.certify import Kept, at_bits, ball
 from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.exact.separation import TooLargeError
 
@@ -58,8 +58,9 @@ class Balls:
     def of(self, value: Fraction) -> arb:
         return ball(value)
 
-    def apply(self, function: str, value: arb) -> Any:
-        return getattr(value, _NAMES.get(function, function))()
+    def apply(self, function: str, value: arb) -> arb:
+        found: arb = getattr(value, _NAMES.get(function, function))()
+        return found
 
 
 class Series:
@@ -85,11 +86,12 @@ class Series:
     def small(self) -> arb_series:
         return arb_series([0, 1], TERMS)
 
-    def apply(self, function: str, value: arb_series) -> Any:
+    def apply(self, function: str, value: arb_series) -> arb_series:
         if function == "cot":
             sine, cosine = value.sin_cos()
             return cosine / sine
-        return getattr(value, _NAMES.get(function, function))()
+        found: arb_series = getattr(value, _NAMES.get(function, function))()
+        return found
 
 
 def points(letters: frozenset[str]) -> Iterator[Mapping[str, Fraction]]:
@@ -99,7 +101,9 @@ def points(letters: frozenset[str]) -> Iterator[Mapping[str, Fraction]]:
         yield {name: Fraction(chosen.randint(1, EIGHTHS), 8) for name in sorted(letters)}
 
 
-def at_points(letters: frozenset[str], value_at: Callable[[Mapping[str, Fraction]], object]) -> Iterator[Any]:
+def at_points(
+    letters: frozenset[str], value_at: Callable[[Mapping[str, Fraction]], Kept | None]
+) -> Iterator[Kept]:
     """Yield what is found at the first points where there is something, at high precision."""
     found = 0
     with at_bits(BITS):
@@ -171,7 +175,7 @@ class Finding(NamedTuple):
     order: int = 0
     factor: Fraction = Fraction(1)
     point: Point = NOWHERE
-    sides: tuple[Any, ...] = ()
+    sides: tuple[arb, ...] = ()
 
 
 class Step(NamedTuple):
@@ -199,7 +203,7 @@ class Step(NamedTuple):
                 free.add(name)
         return frozenset(free)
 
-    def sides(self, algebra: Algebra, given: Mapping[str, Any]) -> tuple[Any, Any]:
+    def sides(self, algebra: Algebra[Value], given: Mapping[str, Value]) -> tuple[Value, Value]:
         """Return what must be equal."""
         letters = Letters(algebra, given, self.forms)
         if self.relation == ROOT:
@@ -314,7 +318,7 @@ def _other_roots(step: Step, free: frozenset[str], sign: int, work: Work) -> Ite
         balls = Balls(work)
         given = {name: balls.of(value) for name, value in point.items()} | {SIGN: balls.of(Fraction(sign))}
 
-        def value(form: Form, unknown: Any) -> Any:
+        def value(form: Form, unknown: arb) -> arb:
             return Letters(balls, {**given, step.letter: unknown}, step.forms).of(form)
 
         for cell in cells():

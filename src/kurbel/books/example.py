@@ -23,7 +23,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from msgspec import Struct
 
-from kurbel.books.book_values import FRACTIONS, Expression, TrueValue, formula_truth, kept, quantity_truth
+from kurbel.books.book_values import Expression, TrueValue, formula_truth, kept, quantity_truth
 from kurbel.books.printed_value import PrintedValue, printed_value
 from kurbel.books.source import SOURCE, Book, SourceTable
 from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
@@ -261,7 +261,7 @@ class WorkedPart:
         self.numbers = dict(part.given)
         for name, text in example.page.numbers.items():
             if not (one := self._formula(text)).names:
-                self.numbers.setdefault(name, one.value(FRACTIONS, str))
+                self.numbers.setdefault(name, one.fraction())
         steps = example.page.steps.items()
         self.formulas = {name: self._formula(step.formula) for name, step in steps if step.formula}
         self.truths: dict[str, TrueValue] = {}
@@ -291,7 +291,7 @@ class WorkedPart:
     def _holds(self, condition: str) -> bool:
         match = _CONDITION.fullmatch(condition)
         assert match is not None
-        left, right = (self._formula(match[side]).value(FRACTIONS, str) for side in ("left", "right"))
+        left, right = (self._formula(match[side]).fraction() for side in ("left", "right"))
         return _SIGNS[match["sign"]](left, right)
 
     def _entry(self, text: Label, name: str) -> WorkingRow:

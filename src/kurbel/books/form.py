@@ -11,82 +11,91 @@ import ast
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Generic, Protocol, Self, TypeVar
 
 from kurbel.errors import NotationError
 from kurbel.reading.arithmetic import OPERATIONS, POWERS, parsed, wrong_power
 
 
+class Reckoned(Protocol):
+    """What can be reckoned with what is of its kind."""
+
+    def __add__(self, other: Self, /) -> Self: ...
+    def __sub__(self, other: Self, /) -> Self: ...
+    def __neg__(self) -> Self: ...
+    def __mul__(self, other: Self, /) -> Self: ...
+    def __truediv__(self, other: Self, /) -> Self: ...
+
+
+Value = TypeVar("Value", bound=Reckoned)
+
+
 @dataclass(frozen=True, slots=True)
-class Dual:
+class Dual(Generic[Value]):
     """A value and its slope."""
 
-    value: Any
-    slope: Any
+    value: Value
+    slope: Value
 
-    def __add__(self, other: Dual) -> Dual:
-        return Dual(self.value + other.value, self.slope + other.slope)
+    def __add__(self, other: Self) -> Self:
+        return type(self)(self.value + other.value, self.slope + other.slope)
 
-    def __sub__(self, other: Dual) -> Dual:
-        return Dual(self.value - other.value, self.slope - other.slope)
+    def __sub__(self, other: Self) -> Self:
+        return type(self)(self.value - other.value, self.slope - other.slope)
 
-    def __neg__(self) -> Dual:
-        return Dual(-self.value, -self.slope)
+    def __neg__(self) -> Self:
+        return type(self)(-self.value, -self.slope)
 
-    def __mul__(self, other: Dual) -> Dual:
-        return Dual(self.value * other.value, self.slope * other.value + self.value * other.slope)
+    def __mul__(self, other: Self) -> Self:
+        return type(self)(self.value * other.value, self.slope * other.value + self.value * other.slope)
 
-    def __truediv__(self, other: Dual) -> Dual:
+    def __truediv__(self, other: Self) -> Self:
         quotient = self.value / other.value
-        return Dual(quotient, (self.slope - quotient * other.slope) / other.value)
+        return type(self)(quotient, (self.slope - quotient * other.slope) / other.value)
 
 
 # A product of such numbers has three of those that they are made of.
 PRODUCTS = 3
 
 
-class Duals:
+class Duals(Generic[Value]):
     """The algebra of such numbers on another one."""
 
-    def __init__(self, algebra: Algebra) -> None:
+    def __init__(self, algebra: Algebra[Value]) -> None:
         self.algebra = algebra
         self.pi = self.constant(algebra.pi)
 
     def spend(self, operations: float) -> None:
         self.algebra.spend(PRODUCTS * operations)
 
-    def constant(self, value: Any) -> Dual:
+    def constant(self, value: Value) -> Dual[Value]:
         return Dual(value, self.algebra.of(Fraction(0)))
 
-    def of(self, value: Fraction) -> Dual:
+    def of(self, value: Fraction) -> Dual[Value]:
         return self.constant(self.algebra.of(value))
 
-    def letter(self, value: Any) -> Dual:
+    def letter(self, value: Value) -> Dual[Value]:
         """Return the letter by which the slope is taken."""
         return Dual(value, self.algebra.of(Fraction(1)))
 
-    def apply(self, function: str, value: Dual) -> Dual:
+    def apply(self, function: str, value: Dual[Value]) -> Dual[Value]:
         found = self.algebra.apply(function, value.value)
-        return Dual(found, _SLOPES[function](self.algebra, value.value, found) * value.slope)
+        return Dual(found, self._slope(function, value.value, found) * value.slope)
 
-
-def _one(algebra: Algebra) -> Any:
-    return algebra.of(Fraction(1))
-
-
-# Of an algebra, a value and what a function makes of it.
-_SLOPES: Mapping[str, Callable[[Algebra, Any, Any], Any]] = {
-    "sin": lambda algebra, value, found: algebra.apply("cos", value),
-    "cos": lambda algebra, value, found: -algebra.apply("sin", value),
-    "tan": lambda algebra, value, found: _one(algebra) + found * found,
-    "cot": lambda algebra, value, found: -_one(algebra) - found * found,
-    "sqrt": lambda algebra, value, found: _one(algebra) / (found + found),
-    "ln": lambda algebra, value, found: _one(algebra) / value,
-    "arcsin": lambda algebra, value, found: (
-        _one(algebra) / algebra.apply("sqrt", _one(algebra) - value * value)
-    ),
-    "arctan": lambda algebra, value, found: _one(algebra) / (_one(algebra) + value * value),
-}
+    def _slope(self, function: str, value: Value, found: Value) -> Value:
+        """Return the slope of a function at a value, of which it makes what was found."""
+        apply, one = self.algebra.apply, self.algebra.of(Fraction(1))
+        slopes: Mapping[str, Callable[[], Value]] = {
+            "sin": lambda: apply("cos", value),
+            "cos": lambda: -apply("sin", value),
+            "tan": lambda: one + found * found,
+            "cot": lambda: -one - found * found,
+            "sqrt": lambda: one / (found + found),
+            "ln": lambda: one / value,
+            "arcsin": lambda: one / apply("sqrt", one - value * value),
+            "arctan": lambda: one / (one + value * value),
+        }
+        return slopes[function]()
 
 
 UNREAD = '"{}" is no expression; write one such as 1 - cos(45)'
@@ -98,17 +107,17 @@ MOST_SLOPES = 4
 OF_FUNCTION = 5
 
 
-class Algebra(Protocol):
+class Algebra(Protocol[Value]):
     """Numbers that forms are evaluated on: of a fraction, pi, and the values of functions.
 
     So many operations are spent before they are done; too many are refused.
     """
 
     @property
-    def pi(self) -> Any: ...
+    def pi(self) -> Value: ...
     def spend(self, operations: float) -> None: ...
-    def of(self, value: Fraction) -> Any: ...
-    def apply(self, function: str, value: Any) -> Any: ...
+    def of(self, value: Fraction) -> Value: ...
+    def apply(self, function: str, value: Value) -> Value: ...
 
 
 class Form:
@@ -121,7 +130,7 @@ class Form:
         if text.count(SLOPE) > MOST_SLOPES:
             raise NotationError(f'"{text[:60]}" has more than {MOST_SLOPES} slopes')
 
-    def value(self, letters: Letters) -> Any:
+    def value(self, letters: Letters[Value]) -> Value:
         """Return the value on the numbers of an algebra, with those of its letters."""
         return _value(self._tree, letters)
 
@@ -154,7 +163,7 @@ def _letters(tree: ast.expr, text: str) -> Iterator[str]:
             )
 
 
-def _value(tree: ast.expr, letters: Letters) -> Any:
+def _value(tree: ast.expr, letters: Letters[Value]) -> Value:
     letters.algebra.spend(OF_FUNCTION if isinstance(tree, ast.Call) else 1)
     match tree:
         case ast.Constant(value=Fraction() as value):
@@ -170,7 +179,8 @@ def _value(tree: ast.expr, letters: Letters) -> Any:
                 product = product * base
             return product
         case ast.BinOp(left=left, op=op, right=right):
-            return OPERATIONS[type(op)](_value(left, letters), _value(right, letters))
+            found: Value = OPERATIONS[type(op)](_value(left, letters), _value(right, letters))
+            return found
         case ast.Call(func=ast.Name(id=name), args=[inner]):
             return letters.algebra.apply(name, _value(inner, letters))
         case ast.Call(args=[inner, ast.Name(id=name)]):
@@ -178,27 +188,29 @@ def _value(tree: ast.expr, letters: Letters) -> Any:
     raise AssertionError(tree)
 
 
-class Letters:
+class Letters(Generic[Value]):
     """What the letters of forms stand for on the numbers of an algebra.
 
     `given` are values, `forms` what other letters are made of.
     """
 
-    def __init__(self, algebra: Algebra, given: Mapping[str, Any], forms: Mapping[str, Form]) -> None:
+    def __init__(
+        self, algebra: Algebra[Value], given: Mapping[str, Value], forms: Mapping[str, Form]
+    ) -> None:
         self.algebra = algebra
         self.given = given
         self.forms = forms
         self.values = dict(given)
 
-    def __call__(self, name: str) -> Any:
+    def __call__(self, name: str) -> Value:
         if name not in self.values:
             self.values[name] = self.of(self.forms[name])
         return self.values[name]
 
-    def of(self, form: Form) -> Any:
+    def of(self, form: Form) -> Value:
         return form.value(self)
 
-    def by(self, name: str) -> Letters:
+    def by(self, name: str) -> Letters[Dual[Value]]:
         """Return the same letters with their slopes by one of them."""
         duals = Duals(self.algebra)
         slopes = {one: duals.constant(value) for one, value in self.given.items()}

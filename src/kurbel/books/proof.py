@@ -13,14 +13,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
-from flint import fmpq, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kurbel.exact.separation import MOST_BITS
 
-# flint has no types.
-Polynomial: TypeAlias = Any
 # No formula of a book needs more.
 MOST_LETTERS = 96
 # In what a product of two terms costs, or an operation with balls: each about a second and half a one. The
@@ -55,12 +53,12 @@ class Ring:
 
     def __init__(self, work: Work) -> None:
         self.work = work
-        self.letters: tuple[Polynomial, ...] = _letters()
+        self.letters: tuple[fmpq_mpoly, ...] = _letters()
         self.one = self.letters[0] ** 0
         self.last = MOST_LETTERS
-        self.rules: list[tuple[int, Polynomial]] = []
+        self.rules: list[tuple[int, fmpq_mpoly]] = []
 
-    def letter(self, square: Polynomial | None = None) -> int:
+    def letter(self, square: fmpq_mpoly | None = None) -> int:
         """Return a new letter, whose square is a polynomial if there is one."""
         if not self.last:
             raise UnprovableError("too many letters")
@@ -69,12 +67,12 @@ class Ring:
             self.rules.insert(0, (self.last, self.letters[self.last] ** 2 - square))
         return self.last
 
-    def sum(self, one: Polynomial, other: Polynomial, factor: int = 1) -> Polynomial:
+    def sum(self, one: fmpq_mpoly, other: fmpq_mpoly, factor: int = 1) -> fmpq_mpoly:
         """Return one plus the other, which is multiplied by a factor."""
         self.work.spend(SHARE_OF_SUM * (len(one) + len(other)))
         return one + factor * other
 
-    def product(self, one: Polynomial, other: Polynomial) -> Polynomial:
+    def product(self, one: fmpq_mpoly, other: fmpq_mpoly) -> fmpq_mpoly:
         """Return the product, reduced by the rules."""
         self._count(one, other)
         total = one * other
@@ -84,7 +82,7 @@ class Ring:
                 total %= rule
         return total
 
-    def _count(self, one: Polynomial, other: Polynomial) -> None:
+    def _count(self, one: fmpq_mpoly, other: fmpq_mpoly) -> None:
         """Count the work of a product before it is made."""
         bits = [max((each.height_bits() for each in factor.coeffs()), default=0) for factor in (one, other)]
         if max(bits) > MOST_BITS:
@@ -93,14 +91,14 @@ class Ring:
 
 
 @cache
-def _letters() -> tuple[Polynomial, ...]:
+def _letters() -> tuple[fmpq_mpoly, ...]:
     return tuple(fmpq_mpoly_ctx.get([f"x{place}" for place in range(MOST_LETTERS)], "lex").gens())
 
 
 class Quotient:
     """A quotient of two polynomials of a ring, without the factors that are plain letters."""
 
-    def __init__(self, ring: Ring, top: Polynomial, bottom: Polynomial | None = None) -> None:
+    def __init__(self, ring: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly | None = None) -> None:
         bottom = ring.one if bottom is None else bottom
         if not bottom:
             raise UnprovableError("division by zero")
@@ -167,7 +165,7 @@ class Symbols:
         self._pi = self.ring.last
         self._circles: dict[int, Circle] = {}
         self._whole: set[int] = set()
-        self._roots: list[tuple[Polynomial, Quotient]] = []
+        self._roots: list[tuple[fmpq_mpoly, Quotient]] = []
         self._logarithms: list[tuple[Quotient, Quotient]] = []
         self._functions: dict[str, Callable[[Quotient], Quotient]] = {
             "sin": lambda angle: self._circle(angle)[0],
@@ -197,7 +195,7 @@ class Symbols:
 
     def _circle(self, angle: Quotient) -> Circle:
         """Return sine and cosine of a sum of letters with rational factors."""
-        if angle.bottom != 1:
+        if not angle.bottom.is_one():
             raise UnprovableError("the angle is a quotient")
         sine, cosine = self.of(Fraction(0)), self.of(Fraction(1))
         for powers, factor in angle.top.terms():
@@ -264,16 +262,16 @@ class Symbols:
             return self.of(Fraction(0))
         before, rest = self._parted(radicand)
         root = Quotient(self.ring, before, value.bottom)
-        return root if rest == 1 else root * self._root_of(rest)
+        return root if rest.is_one() else root * self._root_of(rest)
 
-    def _is_positive(self, polynomial: Polynomial) -> bool:
+    def _is_positive(self, polynomial: fmpq_mpoly) -> bool:
         """Whether it is a product of plain letters, which are positive."""
         return all(
             coefficient > 0 and all(place in self._positive for place, power in enumerate(powers) if power)
             for powers, coefficient in polynomial.terms()
         )
 
-    def _parted(self, radicand: Polynomial) -> tuple[Polynomial, Polynomial]:
+    def _parted(self, radicand: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         """Return what stands before the root, letters and a number; and what is left below it."""
         (shared,), before = radicand.term_content().monoms(), self.ring.one
         for place in self._positive:
@@ -283,7 +281,7 @@ class Symbols:
         before *= fmpq(square_root_in(int(constant.p * constant.q)), constant.q)
         return before, radicand / (before * before)
 
-    def _root_of(self, radicand: Polynomial) -> Quotient:
+    def _root_of(self, radicand: fmpq_mpoly) -> Quotient:
         for known, root in self._roots:
             if known == radicand:
                 return root

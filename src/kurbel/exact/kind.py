@@ -82,6 +82,13 @@ def bounds() -> Kind:
     return unordered(Separation.rational, circle_separation, exponent=Fraction, bounded=True)
 
 
+def separation_of(value: Callable[[Kind], Numeric]) -> Separation:
+    """Return the separation bound of a number on any kind."""
+    found = value(bounds())
+    assert isinstance(found, Separation)
+    return found
+
+
 def settled(value: Callable[[Kind], Numeric], decimals: int, rounding: str = "half-away") -> int:
     """Return what `rounded` does of a value on any kind of number; of what it is made its ties follow."""
     from kurbel.exact import certify

@@ -25,8 +25,8 @@ from flint import arb
 
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import MOST_BITS, ball, vanishes
-from kurbel.exact.kind import Kind, balls, bounds
-from kurbel.exact.separation import Separation, plus, times
+from kurbel.exact.kind import Kind, balls, separation_of
+from kurbel.exact.separation import plus, times
 from kurbel.kernel.circle import Numeric
 from kurbel.reading.given import FrozenValue
 from kurbel.reading.notation import about
@@ -356,9 +356,7 @@ class Waves(FrozenValue):
         def value(kind: Kind) -> Numeric:
             return self.at(degrees, kind) + kind.of(level)
 
-        bound = value(bounds())
-        assert isinstance(bound, Separation)
-        bits = bound.bits()
+        bits = separation_of(value).bits()
         return bits < MOST_BITS and vanishes(lambda: ball(value(balls())), bits)
 
 
