@@ -13,7 +13,9 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import cache, cached_property
 from itertools import chain, groupby, takewhile
-from typing import Any, NamedTuple
+from typing import NamedTuple
+
+from flint import arb
 
 from kurbel.books.collate_page import BookQuestion, kernels, titled
 from kurbel.books.equation import (
@@ -226,7 +228,7 @@ def _power(letter: Label, order: int) -> Label:
     return f"${letter}^{order}$" if letter.isalpha() else f"$({letter})^{order}$"
 
 
-def _figures(value: Any) -> Label:
+def _figures(value: arb) -> Label:
     """Return a ball, which is small, with so many figures, and what is long or little by a power of ten."""
     exact = Decimal(value.mid().str(60, radius=False))
     if abs(exact.adjusted()) > LONGEST_POWER:

@@ -139,6 +139,7 @@ class BookFile(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 File = TypeVar("File", bound=TableFile | FormulasFile)
+Row = TypeVar("Row")
 
 
 class BookTable(Generic[File]):
@@ -155,10 +156,10 @@ class BookTable(Generic[File]):
         self.key, self.title, self.notes = f"{book.key}-{name}", given.title, given.notes
         self.file = book.folder / f"{name}.csv"
 
-    def read(self, row: Callable[[dict[str, str], int], object]) -> Iterator[Any]:
+    def read(self, row: Callable[[dict[str, str], int], Row]) -> Iterator[Row]:
         """Yield what is made of each line, of its texts by their columns and its number."""
 
-        def made(texts: list[str], head: Head, line: int) -> Any:
+        def made(texts: list[str], head: Head, line: int) -> Row:
             found = {column.name: text.strip() for column, text in zip(head.columns, texts, strict=True)}
             if not found["place"].isidentifier():
                 raise NotationError(f'the place "{found["place"][:40]}" is no name; write it as {self.named}')

@@ -94,7 +94,7 @@ def collated_table(
 
 def collated_file(
     path: str | os.PathLike[str], quantity: str | None, crank_ratio: str | None, method: str | None
-) -> tuple[Any, tuple[CollatedValue, ...]]:
+) -> tuple[OwnTable, tuple[CollatedValue, ...]]:
     """Return what stands for the table, and its collated values in the order of the file's columns."""
     chosen = choose("exact" if method is None else method, _METHODS, "method")
     asked = None if crank_ratio is None else ratio(crank_ratio)

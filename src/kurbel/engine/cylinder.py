@@ -316,7 +316,7 @@ class AnyTurn(ABC):
 
     def indicated_force(self) -> Numeric:
         """The same without what friction takes."""
-        lost = 0
+        lost: Numeric = 0
         for part, one in zip(self.engine.parts, self.cylinders, strict=True):
             if one.friction is not None:
                 own = one.friction * one.drive.length / one.kind.pi * len(part.starts)

@@ -175,7 +175,7 @@ class Engine:
         # Q = π/4 d² p; ω has the factor 2π where it counts turns.
         scale = 4 * crank.radius * crank.speed.value**2 / (self.load.bore**2 * pressure)
         turned = kind.of(4 * scale) * kind.pi if crank.speed.turns else kind.of(scale) / kind.pi
-        newton = 1
+        newton: Numeric = 1
         if crank.moving.slope is not None:
             newton = kind.of(4 / (self.load.bore**2 * pressure)) / kind.pi
         return crank.moving.weights(kind, turned, newton)

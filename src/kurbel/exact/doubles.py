@@ -17,6 +17,7 @@ from typing import Any
 
 import flint
 import numpy as np
+from flint import arb
 
 from kurbel.exact.bulk import Integers
 from kurbel.exact.certify import at_bits
@@ -88,7 +89,7 @@ class Double:
     def __rtruediv__(self, other: Double | Fraction | float) -> Double:
         return Double.of(other) / self
 
-    def __pow__(self, power: Any) -> Double:
+    def __pow__(self, power: Fraction | float) -> Double:
         if power == 0.5:
             return self._root()
         if power != int(power) or power < 1:
@@ -157,7 +158,7 @@ def numbers() -> Kind:
     return unordered(Double.of, pi=_enclosed(flint.arb.pi), exponent=Fraction, enclosed=_enclosed)
 
 
-def _enclosed(value: Callable[[], Any]) -> Double:
+def _enclosed(value: Callable[[], arb]) -> Double:
     with at_bits(BALL_BITS):
         found = value()
         high = float(found.mid())

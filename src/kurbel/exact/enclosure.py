@@ -13,7 +13,7 @@ checked by the sine of what they say.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache
 from math import factorial
@@ -30,6 +30,7 @@ from kurbel.kernel.kinematics import rod_sine
 
 # A float64 array of any shape, or one float.
 Floats: TypeAlias = Any
+Known: TypeAlias = "Enclosure | Fraction | float"
 
 UNIT = 2.0**-53
 GROWTH = 1 + 2.0**-48
@@ -49,7 +50,7 @@ class Enclosure:
         self.value, self.error = value, error
 
     @staticmethod
-    def of(number: Enclosure | Fraction | float) -> Enclosure:
+    def of(number: Known) -> Enclosure:
         """Return what encloses an exact number: a float, an integer or a fraction."""
         if isinstance(number, Enclosure):
             return number
@@ -57,7 +58,7 @@ class Enclosure:
         exact = isinstance(number, float) or Fraction(value) == number
         return Enclosure(np.float64(value), np.float64(0 if exact else abs(value) * UNIT + SUBNORMAL))
 
-    def __add__(self, other: Enclosure | Fraction | float) -> Enclosure:
+    def __add__(self, other: Known) -> Enclosure:
         if _is_exact(other):
             return self if other == 0 else _rounded(self.value + other, self.error)
         added = Enclosure.of(other)
@@ -68,14 +69,14 @@ class Enclosure:
     def __neg__(self) -> Enclosure:
         return Enclosure(-self.value, self.error)
 
-    def __sub__(self, other: Enclosure | Fraction | float) -> Enclosure:
+    def __sub__(self, other: Known) -> Enclosure:
         less = Enclosure.of(other).__neg__()
         return self + less
 
-    def __rsub__(self, other: Enclosure | Fraction | float) -> Enclosure:
+    def __rsub__(self, other: Known) -> Enclosure:
         return Enclosure.of(other) - self
 
-    def __mul__(self, other: Enclosure | Fraction | float) -> Enclosure:
+    def __mul__(self, other: Known) -> Enclosure:
         if _is_exact(other):
             return self if other == 1 else _rounded(self.value * other, self.error * abs(other))
         by = Enclosure.of(other)
@@ -85,7 +86,7 @@ class Enclosure:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Enclosure | Fraction | float) -> Enclosure:
+    def __truediv__(self, other: Known) -> Enclosure:
         if _is_exact(other) and other:
             return _rounded(self.value / other, self.error / abs(other))
         below = Enclosure.of(other)
@@ -94,10 +95,10 @@ class Enclosure:
         spread = (self.error + abs(quotient) * below.error) / np.where(least > 0, least, np.nan)
         return _rounded(quotient, spread)
 
-    def __rtruediv__(self, other: Enclosure | Fraction | float) -> Enclosure:
+    def __rtruediv__(self, other: Known) -> Enclosure:
         return Enclosure.of(other) / self
 
-    def __pow__(self, exponent: Any) -> Enclosure:
+    def __pow__(self, exponent: Known) -> Enclosure:
         """Return the square root for 0.5, products for small whole exponents, else by the logarithm."""
         if isinstance(exponent, float) and exponent == 0.5:
             return self.root()
@@ -120,18 +121,18 @@ class Enclosure:
     def __abs__(self) -> Enclosure:
         return Enclosure(abs(self.value), self.error)
 
-    def max(self, other: Enclosure | Fraction | float) -> Enclosure:
+    def max(self, other: Known) -> Enclosure:
         """Return the larger of two numbers; at a corner, where floats cannot tell which, it is as near."""
         than = Enclosure.of(other)
         return Enclosure(np.maximum(self.value, than.value), np.maximum(self.error, than.error))
 
-    def union(self, other: Enclosure | Fraction | float) -> Enclosure:
+    def union(self, other: Known) -> Enclosure:
         """Return what holds either number."""
         with_it = Enclosure.of(other)
         apart = abs(self.value - with_it.value)
         return _rounded(self.value, apart + np.maximum(self.error, with_it.error))
 
-    def piecewise(self, corners: Any, pieces: Any) -> Enclosure:
+    def piecewise(self, corners: Sequence[Known], pieces: Sequence[Known]) -> Enclosure:
         """Return of each number the one of its piece, which the corner behind it still belongs to; so near to
         a corner that it may lie on either side, what holds both."""
         found = Enclosure.of(pieces[-1])
@@ -148,12 +149,12 @@ class Enclosure:
         """Whether it is one number, and for certain this one."""
         return _is_exact(other) and np.ndim(self.value) == 0 and self.error == 0 and self.value == other
 
-    def __lt__(self, other: Enclosure | Fraction | float) -> bool:
+    def __lt__(self, other: Known) -> bool:
         """Whether it is less for certain, all of it."""
         than = Enclosure.of(other)
         return bool((self.value + self.error < than.value - than.error).all())
 
-    def __gt__(self, other: Enclosure | Fraction | float) -> bool:
+    def __gt__(self, other: Known) -> bool:
         return Enclosure.of(other) < self
 
     __hash__ = None  # type: ignore[assignment]

@@ -47,7 +47,7 @@ class Kind(NamedTuple):
     of: Callable[[Any], Numeric]
     circle: Callable[[Any], Circle[Numeric]] = _missing
     arc: Callable[[Any], Numeric] = _missing
-    pi: Any = None
+    pi: Numeric = math.nan
     rod_angle: Callable[..., Numeric] = _missing
     exponent: Callable[[Fraction], Numeric] = _missing
     enclosed: Callable[[Callable[[], arb]], Numeric] = _missing

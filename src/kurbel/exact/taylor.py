@@ -83,7 +83,7 @@ class ComplexNumber:
     __radd__ = __add__
     __rmul__ = __mul__
 
-    def __pow__(self, exponent: Any) -> ComplexNumber:
+    def __pow__(self, exponent: Fraction | float) -> ComplexNumber:
         if isinstance(exponent, int):
             return ComplexNumber(self.ball**exponent, self.at**exponent)
         if exponent == 0.5:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cached_property, lru_cache, reduce
 from math import lcm, log2
-from typing import Any, NamedTuple, NoReturn, TypeAlias
+from typing import NamedTuple, NoReturn, TypeAlias
 
 import flint
 from flint import arb
@@ -351,7 +351,7 @@ def _kind(precision: int) -> Kind:
     )
 
 
-def algebraic(kind: Kind, ball: Callable[[], arb], bound: Callable[[], Separation | None]) -> Any:
+def algebraic(kind: Kind, ball: Callable[[], arb], bound: Callable[[], Separation | None]) -> Numeric:
     """Return an algebraic number, which is known by its ball, on a kind of number; on Terms a bound that is
     None leaves it undecided."""
     if not isinstance(kind.pi, Terms):

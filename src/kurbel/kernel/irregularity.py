@@ -320,7 +320,7 @@ def _load(arrays: Sequence[str], floats: Constants, numbers: Sequence[Traced]) -
 
 @lru_cache(maxsize=64)
 def _extremes_loop(kind: Any, arrays: tuple[str, ...], floats: Constants) -> Callable[..., None]:
-    def formula(ratio: Any, *more: Traced) -> list[Any]:
+    def formula(ratio: Any, *more: Traced) -> list[object]:
         falling, rising, *rest = extremes(kind, ratio, _load(arrays, floats, more))
         return [*falling, *rising, *rest]
 
@@ -329,7 +329,7 @@ def _extremes_loop(kind: Any, arrays: tuple[str, ...], floats: Constants) -> Cal
 
 @lru_cache(maxsize=64)
 def _irregularity_loop(arrays: tuple[str, ...], floats: Constants) -> Callable[..., None]:
-    def formula(*numbers: Any) -> list[Any]:
+    def formula(*numbers: Any) -> list[object]:
         return [irregularity(_load(arrays, floats, numbers[6:]), *numbers[:6])]
 
     return compiled(written_formula(formula, 6 + len(arrays)))

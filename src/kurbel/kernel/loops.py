@@ -24,7 +24,7 @@ OLDEST = (0, 61)
 ROWS = 8
 
 
-def loop(functions: Sequence[Callable[..., Any]], others: int = 0) -> Callable[..., None]:
+def loop(functions: Sequence[Callable[..., object]], others: int = 0) -> Callable[..., None]:
     """Return what fills a row with each function, at arrays of angles in degrees and of so many others.
 
     It takes these arrays and then the rows, all of them contiguous float64 arrays of one size. It holds no
@@ -35,7 +35,7 @@ def loop(functions: Sequence[Callable[..., Any]], others: int = 0) -> Callable[.
     texts = [written(functions[start : start + ROWS], others) for start in range(0, len(functions), ROWS)]
     runs = [(compiled(text._replace(constants=())), np.array(text.constants)) for text in texts]
 
-    def fill(*arrays: Any) -> None:
+    def fill(*arrays: object) -> None:
         inputs, rows = arrays[: others + 1], arrays[others + 1 :]
         for place, (run, constants) in enumerate(runs):
             run(constants, *inputs, *rows[place * ROWS : (place + 1) * ROWS])
@@ -68,7 +68,7 @@ def compiled(text: LoopSource) -> Callable[..., None]:
     read, filled = (numba.types.Array(numba.float64, 1, "C", readonly=one) for one in (True, False))
     signature = numba.void(read, *[read] * text.reads, *[filled] * text.fills)
     # No fastmath: each operation is done as NumPy does it.
-    options: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
+    options: dict[str, object] = {"nogil": True, "error_model": "numpy"}
     try:
         found: Callable[..., None] = numba.njit(signature, cache=True, **options)(_function(text))
     except (RuntimeError, OSError):
@@ -101,7 +101,7 @@ class LoopSource(NamedTuple):
     constants: tuple[float, ...]
 
 
-def written(functions: Sequence[Callable[..., Any]], others: int = 0) -> LoopSource:
+def written(functions: Sequence[Callable[..., object]], others: int = 0) -> LoopSource:
     """Return the loop that fills an array with each function of a crank angle's circle and so many others.
 
     The function of the loop takes the constants, the arrays of angles in degrees and of the others, and the
@@ -114,7 +114,7 @@ def written(functions: Sequence[Callable[..., Any]], others: int = 0) -> LoopSou
     return _loop(tape, len(inputs), [function(point, *inputs[1:]) for function in functions])
 
 
-def written_formula(formula: Callable[..., Sequence[Any]], reads: int) -> LoopSource:
+def written_formula(formula: Callable[..., Sequence[object]], reads: int) -> LoopSource:
     """Return the loop that fills an array with each result of a formula of so many numbers.
 
     Floats of the formula are numbers that never change. Raises UntraceableError.
@@ -124,7 +124,7 @@ def written_formula(formula: Callable[..., Sequence[Any]], reads: int) -> LoopSo
         return _loop(tape, reads, formula(*(tape.input(f"a{place}") for place in range(reads))))
 
 
-def _loop(tape: Tape, reads: int, results: Sequence[Any]) -> LoopSource:
+def _loop(tape: Tape, reads: int, results: Sequence[object]) -> LoopSource:
     inputs, found = [f"a{place}" for place in range(reads)], [tape.name(one) for one in results]
     rows = [f"row{place}" for place in range(len(found))]
     each = [f"{name} = of_{name}[i]" for name in inputs]
@@ -137,7 +137,7 @@ def _loop(tape: Tape, reads: int, results: Sequence[Any]) -> LoopSource:
     return LoopSource(name, f"def {name}({arguments}):\n{lines}\n", reads, len(rows), tuple(tape.constants))
 
 
-def traceable(function: Callable[..., Any], others: int = 0) -> bool:
+def traceable(function: Callable[..., object], others: int = 0) -> bool:
     """Whether the function is arithmetic, which writes itself down."""
     try:
         written([function], others)
@@ -157,7 +157,7 @@ _counting = Lock()
 
 
 def chosen(
-    functions: Sequence[Callable[..., Any] | None], others: int, cells: int, fast: bool | None
+    functions: Sequence[Callable[..., object] | None], others: int, cells: int, fast: bool | None
 ) -> tuple[Callable[..., None], list[int]] | None:
     """Return a loop and the functions that it has, by their places; None where NumPy is to do so many cells.
 

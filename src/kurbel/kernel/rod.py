@@ -301,7 +301,7 @@ class LoadedCrank:
         return Link(self.pin.sine, self.pin.cosine, *self.slant, self.ratio)
 
 
-def magnitude(along: Any, across: Any) -> Any:
+def magnitude(along: Any, across: Any) -> Numeric:
     """Return the length of a force from two components square to each other."""
     square = along * along + across * across
     if hasattr(square, "abs_upper") and square.contains(0):

@@ -45,7 +45,7 @@ class Tape:
             self._written[expression] = name
         return Traced(self, self._written[expression])
 
-    def name(self, number: Traced | float) -> str:
+    def name(self, number: object) -> str:
         """Return what stands in a line for a number of any kind: whole numbers themselves."""
         if isinstance(number, Traced):
             return number.name
@@ -110,7 +110,7 @@ class Traced:
             return self.tape.number(f"sqrt({self.name})")
         raise UntraceableError(f"the power {power} is not traced")
 
-    def unrounded(self, parts: Callable[[Traced], tuple[Any, Any]]) -> tuple[Any, Any, Any]:
+    def unrounded(self, parts: Callable[[Traced], tuple[Any, Any]]) -> tuple[object, ...]:
         """Return what `circle` does of an angle in degrees, without asking in which quarter it lies."""
         return unrounded(self, parts)
 
@@ -221,7 +221,7 @@ class Sign:
         return other.tape.number(f"int64({bits}).view(float64)")
 
 
-def unrounded(degrees: Traced, parts: Callable[[Traced], tuple[Any, Any]]) -> tuple[Any, Any, Any]:
+def unrounded(degrees: Traced, parts: Callable[[Traced], tuple[Any, Any]]) -> tuple[object, ...]:
     """Return the turns of sine, cosine and versine, the part that the sine takes and that of the others.
 
     `parts` gives sine and versine within ±45°, unrounded. The bits are those of `kernel.circle`.

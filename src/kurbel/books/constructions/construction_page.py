@@ -21,6 +21,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, ConstructionError
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.notes import offset_notes
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
 from kurbel.page.layouts import Folder
@@ -162,16 +163,17 @@ class ConstructionRequest(Question):
         assert self.construction.position
         return self.construction.position.words[self.lang]
 
-    def drawn(self, length: Length, kind: Kind) -> Any:
+    def drawn(self, length: Length, kind: Kind) -> Numeric:
         """Return a length by the points of the construction."""
         return self._value(length.drawn, kind)
 
-    def true(self, length: Length, kind: Kind) -> Any:
+    def true(self, length: Length, kind: Kind) -> Numeric:
         """Return its true value by the kernel."""
         return self._value(length.true, kind)
 
-    def _value(self, formula: Read, kind: Kind) -> Any:
-        return formula.value(Values(self.at(kind), self.construction.formulas))
+    def _value(self, formula: Read, kind: Kind) -> Numeric:
+        found: Numeric = formula.value(Values(self.at(kind), self.construction.formulas))
+        return found
 
 
 def _number(request: ConstructionRequest, column: Column, place: Place, times: int = 1) -> Value:
@@ -194,7 +196,7 @@ def _formula(request: ConstructionRequest, length: Length) -> Label:
     return (request.drive.crank.offset and length.offset_formula) or length.formula
 
 
-def _error(request: ConstructionRequest, length: Length, kind: Kind) -> Any:
+def _error(request: ConstructionRequest, length: Length, kind: Kind) -> Numeric:
     return request.drawn(length, kind) - request.true(length, kind)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from operator import itemgetter
 from typing import Any, NamedTuple
@@ -35,6 +35,7 @@ from kurbel.books.constructions.model import (
 from kurbel.books.constructions.placed import TAKEN, Position
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ConstructionError, KurbelError, NotationError
+from kurbel.exact.certify import Kept
 from kurbel.page.labels import parse
 from kurbel.page.layouts import Folder
 from kurbel.reading.given import choose
@@ -256,7 +257,7 @@ class _Maker:
                     (key,), f"{key} has {len(getattr(given, key))} entries; give 1 to {most}"
                 )
 
-    def trying(self, place: Place, read: Any, *given: Any) -> Any:
+    def trying(self, place: Place, read: Callable[..., Kept], *given: object) -> Kept:
         """Return what `read` makes of what is given; its errors get file and line."""
         try:
             return read(*given)

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from kurbel.books.constructions.placed import PlacedDrive, Point
+from kurbel.drive.moved import Moved
 from kurbel.exact.certify import ball
 from kurbel.exact.kind import floats
 from kurbel.kernel import beam, forces, kinematics, linkage, slotted
@@ -89,9 +90,14 @@ def _from_dead_centre(at: PlacedDrive) -> Circle[Numeric]:
     return at.kind.circle(at.angle - 180 * _stroke(at))
 
 
-def _share(at: PlacedDrive) -> Any:
+def _moved(at: PlacedDrive) -> Moved:
+    found: Moved = at.drive.moved(at.kind, "exact")
+    return found
+
+
+def _share(at: PlacedDrive) -> Numeric:
     """Return the share of the stroke that the piston has gone."""
-    moved = at.drive.moved(at.kind, "exact")
+    moved = _moved(at)
     return moved.path(_stroke(at), _from_dead_centre(at)) / moved.length
 
 
@@ -104,23 +110,23 @@ def _steam_force(at: PlacedDrive) -> Numeric:
     return acting.force(_share(at))
 
 
-def _tangential(at: PlacedDrive) -> Any:
+def _tangential(at: PlacedDrive) -> Numeric:
     """Return T of the stroke, over Q."""
-    moved = at.drive.moved(at.kind, "exact")
+    moved = _moved(at)
     return _steam_force(at) * moved.velocity(_stroke(at), _from_dead_centre(at))
 
 
-def _mean(at: PlacedDrive) -> Any:
+def _mean(at: PlacedDrive) -> Numeric:
     """Return the constant tangential pressure that does as much work, by the kernel."""
-    length = at.drive.moved(at.kind, "exact").length
+    length = _moved(at).length
     if at.beside.steam is None:
         return length / at.kind.pi
     return mean_force(at.beside.steam.strokes(at.kind, True), at.kind.pi, length)
 
 
-def _work_over_turn(at: PlacedDrive) -> Any:
+def _work_over_turn(at: PlacedDrive) -> Numeric:
     """Return the same by Weisbach's P, with the work of the stroke over that of the half circle."""
-    length, steam = at.drive.moved(at.kind, "exact").length, at.beside.steam
+    length, steam = _moved(at).length, at.beside.steam
     if steam is None:
         return length / at.kind.pi
     ratio = at.number(steam.expansion)

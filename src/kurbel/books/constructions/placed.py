@@ -13,6 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kurbel.drive.at import At
 from kurbel.drive.rod import Rod
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
@@ -228,9 +229,10 @@ class PlacedDrive:
         return circles(centre, radius, self.pivot, self.number(self.drive.rocker), side)
 
     @cached_property
-    def linked(self) -> Any:
+    def linked(self) -> At:
         """What kernel calls of a linkage take."""
-        return self.drive.at(OUT, self.circle, self.kind, "exact")
+        found: At = self.drive.at(OUT, self.circle, self.kind, "exact")
+        return found
 
     @property
     def mass(self) -> Rod:

@@ -6,6 +6,7 @@ it is what of them lies above the mean line.
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -191,7 +192,7 @@ def _greatest(question: TorquesRequest, key: str) -> float:
 
 
 def _speed(steady: Steady, key: str, other: float) -> float:
-    speeds = {"omega": 1.0, "rpm": 30 / floats().pi}
+    speeds = {"omega": 1.0, "rpm": 30 / math.pi}
     return float(steady.mean(floats())) * speeds[key] if key in speeds else other
 
 

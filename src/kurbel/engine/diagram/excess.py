@@ -8,6 +8,7 @@ together in one diagram that is not sought. Re-derived; closed form, with every 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -95,7 +96,7 @@ class ExcessTorque(FrozenValue):
 
     def greatest_torque(self, torque: Torque) -> float:
         """Return a bound of a torque's magnitude, in N m."""
-        return float(torque.most) * (180 / floats().pi if self.by_degree else 1)
+        return float(torque.most) * (180 / math.pi if self.by_degree else 1)
 
     def mean_torque(self, kind: Kind) -> Numeric:
         mean = self.drive.mean.at(Fraction(0), kind)
