@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from kurbel.drive.at import CrankForce
 from kurbel.drive.crank import Crank
+from kurbel.drive.moved import DeadCentres
 from kurbel.engine.cylinder import AnyTurn, CrankPosition, Cylinder, Peak, TurnPlace
 from kurbel.engine.engine_quantities import value
 from kurbel.engine.irregularity import enclosed_delta
@@ -291,7 +292,7 @@ class EngineColumns(LongColumns):
         for part in self.question.first.parts:
             yield from part.starts
 
-    def drives(self) -> Iterator[Any]:
+    def drives(self) -> Iterator[DeadCentres]:
         yield from self.question.drives
         for part in self.question.first.parts:
             yield part.drive

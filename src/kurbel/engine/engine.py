@@ -46,7 +46,7 @@ class Load:
 class ScaledLoad(NamedTuple):
     """A stroke on a share of the area, with a force that does not change; a `share` of None is the whole."""
 
-    stroke: Any
+    stroke: Stroke
     area: Numeric | None
     push: Numeric
 

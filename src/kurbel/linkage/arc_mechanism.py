@@ -307,14 +307,14 @@ class RockerMechanism(LinkageMechanism):
                 " with --ratio 1:∞ for the infinite rod"
             )
 
-    def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
+    def loaded_notes(self, drives: Sequence[RockerCrank], lang: str) -> Sequence[Label]:
         return self.speech.engine_notes(drives, lang)
 
     def lengths(self, drive: RockerCrank) -> list[Label]:
         """Return the lengths of a drive with their letters."""
         return self.speech.links(drive)
 
-    def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
+    def rod_notes(self, drives: Sequence[RockerCrank], lang: str) -> Iterable[Label]:
         yield from super().rod_notes(drives, lang)
         yield from (self.speech.dead_centres(one, lang) for one in drives)
 
@@ -361,7 +361,7 @@ class Arc(RockerMechanism):
         self.check_method(said)
         return tuple(_arc(said, crank) for crank in said._replace(offset=None).cranks(ratios))
 
-    def solved(self, drives: Sequence[Any], method: str | None) -> tuple[ArcDrive, ...]:
+    def solved(self, drives: Sequence[ArcCrank], method: str | None) -> tuple[ArcDrive, ...]:
         return tuple(map(ArcDrive, drives))
 
     def conditions(self) -> Mapping[str, Quantity]:

@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import flint
 from flint import arb
@@ -275,7 +275,7 @@ class Beam(RockerMechanism):
             BeamCrank(crank, radii(said.beam, "beam", crank.radius)) for crank in said.cranks(ratios)
         )
 
-    def solved(self, drives: Sequence[Any], method: str | None) -> tuple[BeamDrive, ...]:
+    def solved(self, drives: Sequence[BeamCrank], method: str | None) -> tuple[BeamDrive, ...]:
         return tuple(map(BeamDrive, drives))
 
     def conditions(self) -> Mapping[str, Quantity]:

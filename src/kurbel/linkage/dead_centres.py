@@ -14,6 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Numeric
+from kurbel.linkage.linkage import Linkage
 from kurbel.motion.evaluation import Needs
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import DriveQuestion
@@ -38,7 +39,7 @@ ROCKER = Need(lambda mechanism: mechanism in SWINGING)
 WORDS = texts("linkage")["dead_centres"]
 
 
-def drives_of(chosen: Mechanism, said: DescribedDrive, ratios: Sequence[str]) -> tuple[Any, ...]:
+def drives_of(chosen: Mechanism, said: DescribedDrive, ratios: Sequence[str]) -> tuple[Linkage | Crank, ...]:
     """Return the drives that were described, with their speed.
 
     Raises ProblemError for a mechanism whose links have no dead centres.
@@ -55,13 +56,13 @@ def drives_of(chosen: Mechanism, said: DescribedDrive, ratios: Sequence[str]) ->
     return tuple(replace(drive, crank=replace(drive.crank, speed=turns)) for drive in drives)
 
 
-def _time(sign: int, drive: Any, kind: Kind) -> Numeric:
+def _time(sign: int, drive: Linkage | Crank, kind: Kind) -> Numeric:
     """Return the time of the outstroke (1) or of the return (-1) in seconds, the crank turning uniformly."""
     return (180 + sign * drive.lead(kind)) / 360 * turn_time(drive.crank, kind)
 
 
 # Of a drive and a kind of number.
-Kernel = Callable[[Any, Kind], Any]
+Kernel = Callable[[Any, Kind], Numeric]
 Row = tuple[str, str, Label, str, int, Kernel, tuple[Need, ...]]
 _ROWS: tuple[Row, ...] = (
     ("phi_i", "innere Totlage|Inner dead centre", "φ_i", "°", ANGLES,
@@ -150,7 +151,7 @@ def _notes(question: DeadCentresRequest) -> Iterator[Label]:
     yield from dict.fromkeys(line for drive in drives for line in _sizes(question, drive))
 
 
-def _sizes(question: DeadCentresRequest, drive: Any) -> Iterator[Label]:
+def _sizes(question: DeadCentresRequest, drive: Linkage | Crank) -> Iterator[Label]:
     """Yield the lines with what was given of a drive beside its ratio."""
     crank = drive.crank
     if not isinstance(drive, Crank):

@@ -365,14 +365,14 @@ class LinkageMechanism(Mechanism):
     def question(self, drives: Sequence[Linkage], method: str | None = None, **asked: Any) -> LinkageRequest:
         return LinkageRequest(drives=tuple(drives), **asked)
 
-    def rod_notes(self, drives: Sequence[Linkage], lang: str) -> Iterable[Label]:
+    def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
         yield from size_notes(one.crank for one in drives)
         if (speed := drives[0].crank.speed) is not None:
             yield turns_label(speed)
         if drives[0].crank.acceleration:
             yield gain_label(drives[0].crank, lang)
 
-    def solved(self, drives: Sequence[Linkage], method: str | None) -> tuple[Drive, ...]:
+    def solved(self, drives: Sequence[Any], method: str | None) -> tuple[Drive, ...]:
         return tuple(LinkageDrive(one, self.layout) for one in drives)
 
     def conditions(self) -> Mapping[str, Quantity]:

@@ -170,7 +170,7 @@ class Parallel(LinkageMechanism):
     def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[ParallelCrank, ...]:
         return (ParallelCrank(said.rodless),)
 
-    def solved(self, drives: Sequence[Any], method: str | None) -> NoReturn:
+    def solved(self, drives: Sequence[Linkage], method: str | None) -> NoReturn:
         raise ProblemError(
             "the rod of the parallel crank moves as the piston with a rod of infinite length;"
             " leave --mechanism out and use --method infinite"

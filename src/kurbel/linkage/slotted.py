@@ -432,7 +432,7 @@ class Slotted(LinkageMechanism):
             crank = replace(crank, ratio=1 / rod)
         return (SlottedLever(pivot, arm, rod, length("offset"), circuit, crank),)
 
-    def solved(self, drives: Sequence[Any], method: str | None) -> tuple[SlottedDrive, ...]:
+    def solved(self, drives: Sequence[SlottedLever], method: str | None) -> tuple[SlottedDrive, ...]:
         return tuple(SlottedDrive(one, self.layout) for one in drives)
 
 

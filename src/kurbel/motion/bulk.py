@@ -131,7 +131,9 @@ def columns_in_floats(
     ]
 
 
-def _rounded(column: Column, values: Any, bound: float, rounding: str) -> tuple[Any, Any]:
+def _rounded(
+    column: Column, values: np.ndarray, bound: float, rounding: str
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the digits of floats and the rows in which these are doubtful."""
     from kurbel.exact.bulk import nearest
 
@@ -167,7 +169,7 @@ class DoubtfulCells:
     def _all(self) -> Circle[Numeric]:
         return self._circle(slice(None))
 
-    def _circle(self, rows: Any) -> Circle[Any]:
+    def _circle(self, rows: np.ndarray | slice) -> Circle[Any]:
         from kurbel.exact.doubles import circle
 
         assert isinstance(self.angles, Progression)

@@ -10,20 +10,19 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from math import floor
-from typing import Any
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import at_bits
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics, series
-from kurbel.kernel.circle import Numeric
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.bulk import columns_in_floats
 from kurbel.motion.evaluation import columns_in_balls
-from kurbel.motion.motion_page import MOTION, Request
+from kurbel.motion.motion_page import MOTION, Digits, Request
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
@@ -56,7 +55,7 @@ def steps_to(crank: Crank, angle: Fraction, decimals: int, rounding: str) -> int
     return steps
 
 
-def _at(crank: Crank, angle: Fraction, kind: Kind) -> tuple[Any, Any]:
+def _at(crank: Crank, angle: Fraction, kind: Kind) -> tuple[Circle[Numeric], Numeric]:
     return kind.circle(angle), kind.of(crank.ratio)
 
 
@@ -76,10 +75,8 @@ def _guess(crank: Crank, angle: Fraction, lowest: Fraction) -> int:
         with at_bits(precision):
             kind = balls()
             circle, ratio = _at(crank, angle, kind)
-            whole: Any
-            share: Any
-            whole, share = kinematics.rod_versine(circle, ratio), series.shrinking(circle, ratio)
-            left = (whole - kind.of(lowest)) / (whole / share - kind.of(lowest))
+            whole, share = kinematics.rod_versine(circle, ratio), ball(series.shrinking(circle, ratio))
+            left = ball((whole - kind.of(lowest)) / (whole / share - kind.of(lowest)))
             if left.rel_accuracy_bits() > _SURE_BITS:
                 return max(1, floor(float((left.log() / share.log()).mid())) - 1)
         precision *= 2
@@ -139,7 +136,7 @@ class ChordRequest(Request):
     def decimals(self, column: LayoutColumn, quantity: Quantity) -> int | None:
         return 0 if quantity.key == COUNT else super().decimals(column, quantity)
 
-    def scaled(self, crank: Crank, angles: Sequence[Fraction]) -> Sequence[Any]:
+    def scaled(self, crank: Crank, angles: Sequence[Fraction]) -> Sequence[Digits]:
         lengths = [column for column in self.page_columns if column.quantity.key != COUNT]
         found = iter(self._lengths(lengths, crank, angles) if lengths else ())
         return [
@@ -147,7 +144,9 @@ class ChordRequest(Request):
             for column in self.page_columns
         ]
 
-    def _lengths(self, columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction]) -> Sequence[Any]:
+    def _lengths(
+        self, columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction]
+    ) -> Sequence[Digits]:
         if not self.bulk:
             return columns_in_balls(columns, crank, angles, self.rounding)
         return columns_in_floats(columns, crank, angles, self.rounding)

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.at import At, angular_square, angular_velocity, rubbing, turn_time, turned
 from kurbel.drive.crank import Crank
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Numeric
@@ -229,7 +230,7 @@ def _rod_versine_entries() -> Iterator[Quantity]:
         yield spanned(key, name, symbol, head, unit, decimals, ROD_VERSINE, scale=scale)
 
 
-def _of_stroke(times: int, crank: Crank, numbers: Any) -> Numeric:
+def _of_stroke(times: int, crank: Crank, numbers: Kind) -> Numeric:
     return times / crank.way(numbers)
 
 

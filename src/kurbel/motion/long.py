@@ -58,11 +58,11 @@ def motion(
     return [row.reshape(shape) for row in evaluate(columns, *inputs, fast=fast)]
 
 
-def _of_ratio(quantity: Quantity, method: str) -> Callable[[Numeric, Numeric], Numeric]:
+def _of_ratio(quantity: Quantity, method: str) -> Callable[[Circle[Numeric], Numeric], Numeric]:
     kernel, numbers, stroke = kernel_of(quantity, method, NO_RATIO), floats(), quantity.stroke
     scale = quantity.scale(NO_RATIO, numbers) if quantity.scale else None
 
-    def column(circle: Any, ratio: Numeric) -> Numeric:
+    def column(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
         # An infinite rod has no ratio, and the return stroke the other sign.
         signed = 0.0 if method == "infinite" else ratio if stroke > 0 else -ratio
         found = kernel(At(circle, NO_RATIO, numbers, stroke, signed, None, method == "series"))
@@ -142,7 +142,7 @@ class LongColumns(ABC):
         """Yield half turns that are taken off the angles."""
 
     @abstractmethod
-    def drives(self) -> Iterator[Any]:
+    def drives(self) -> Iterator[DeadCentres]:
         """Yield all crank drives."""
 
     def is_constant(self, one: Column) -> bool:
@@ -227,7 +227,7 @@ class AngleColumns(LongColumns):
     def starts(self) -> Iterator[Fraction]:
         yield Fraction(0)
 
-    def drives(self) -> Iterator[Any]:
+    def drives(self) -> Iterator[DeadCentres]:
         yield from self.question.drives
 
     def value(self, one: Column, place: Place, places: Places) -> Numeric:

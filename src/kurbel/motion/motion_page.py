@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from kurbel.drive.crank import Crank, check_angles, ends
 from kurbel.errors import ProblemError
@@ -49,8 +49,14 @@ from kurbel.reading.given import found_at
 from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from kurbel.motion.drives import Drive
     from kurbel.motion.long import LongColumns
+
+
+# What is printed of a column over the angle, times 10 to its decimals; an array, or None where nothing is.
+Digits: TypeAlias = "Sequence[int | None] | np.ndarray"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -273,12 +279,12 @@ class Request(CrankQuestion, AngleQuestion):
         return is_long(self.page_columns, self.cranks, self.angles)
 
     @cached_property
-    def values(self) -> list[Sequence[Any]]:
+    def values(self) -> list[Sequence[Digits]]:
         """The scaled digits of the page by crank, column and angle."""
         angles = angle_pairs(self.angles) if self.layout.pairs else self.angles
         return [self.scaled(crank, angles) for crank in self.cranks]
 
-    def scaled(self, crank: Crank, angles: Sequence[Fraction]) -> Sequence[Any]:
+    def scaled(self, crank: Crank, angles: Sequence[Fraction]) -> Sequence[Digits]:
         """Return the scaled digits of every column at these angles."""
         if not self.bulk:
             return columns_in_balls(self.page_columns, crank, angles, self.rounding)
@@ -389,7 +395,7 @@ class RecordRows(Rows):
                 yield Chunk(ratio, part, dict(zip(self.columns, values, strict=True)), decimals)
 
 
-def scaled_number(scaled: Any, decimals: int, times: int = 1) -> Number | None:
+def scaled_number(scaled: int | None, decimals: int, times: int = 1) -> Number | None:
     """Return scaled digits as a number, None where there is none."""
     return None if scaled is None else Number(int(scaled) * times, decimals)
 

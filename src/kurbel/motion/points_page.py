@@ -290,7 +290,7 @@ class PointAxis(ListAxis):
         return point.label
 
 
-def _curve(quantity: Quantity, moved: MovedPoint, at: Any, kind: Kind) -> Numeric:
+def _curve(quantity: Quantity, moved: MovedPoint, at: Circle[Numeric], kind: Kind) -> Numeric:
     """Return a column over the crank angle, as floats; a direction has gaps where the point rests."""
     values = moved.value(quantity, at, kind)
     if quantity.of != DIRECTION:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
@@ -110,7 +110,7 @@ def acceleration_entries() -> Iterator[Quantity]:
     yield from (*own, *component_entries(moved), *map(in_seconds, own))
 
 
-def component_entries(parted_of: Callable[[Any], AccelerationParts]) -> Iterator[Quantity]:
+def component_entries(parted_of: Callable[[At], AccelerationParts]) -> Iterator[Quantity]:
     """Yield the amounts and components of the rod at a place."""
     for key, letter, name, printed, components in _OTHERS:
         for component in components:
@@ -118,7 +118,7 @@ def component_entries(parted_of: Callable[[Any], AccelerationParts]) -> Iterator
             yield from (share, in_seconds(share))
 
 
-def rocker_entries(parted_of: Callable[[Any], AccelerationParts]) -> Iterator[Quantity]:
+def rocker_entries(parted_of: Callable[[At], AccelerationParts]) -> Iterator[Quantity]:
     """Yield the accelerations of a rod whose end B does not slide."""
     yield from component_entries(parted_of)
     for part in PARTS[1:]:
@@ -150,7 +150,7 @@ def _component(
     one: Component,
     parted_of: Callable[[At], AccelerationParts],
 ) -> Quantity:
-    def kernel(at: Any) -> Numeric:
+    def kernel(at: At) -> Numeric:
         return one.kernel(parted_of(at)) + 0
 
     formulas = dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel, printed if not one.end else ""))

@@ -262,12 +262,14 @@ class AngleCard:
             # All angles lie within a cycle of the first; the stroke may begin before that.
             shift = self.cycle * np.ceil((angles[BEYOND] - begin) / self.cycle)
             within = angles[(angles > begin + shift) & (angles < end + shift)]
-            path: Any = drive.path(stroke % 2, circle(within - shift - 180.0 * stroke)) / float(drive.length)
+            path = np.asarray(
+                drive.path(stroke % 2, circle(within - shift - 180.0 * stroke)) / float(drive.length)
+            )
             apart = np.diff(path, prepend=0.0) > LEAST_STEP
             kept = apart & (path < 1 - LEAST_STEP)
             shares = (0.0, *path[kept].tolist(), 1.0)
-            numbers: Any = through(np.concatenate([[begin + shift], within[kept], [end + shift]]))
-            yield shares, tuple(numbers.tolist())
+            numbers = through(np.concatenate([[begin + shift], within[kept], [end + shift]]))
+            yield shares, tuple(np.asarray(numbers).tolist())
 
     def _continued(self) -> tuple[Any, Any]:
         """Return angles and pressures over a cycle and as long again, with some points before it."""

@@ -276,7 +276,7 @@ class CardTurn(FloatTurn):
         """The mean difference of force from the coarser cards', and the step of the pressures, in Q."""
         return float(np.sqrt(np.mean(np.square(self._apart("force"))))) + self.step
 
-    def _apart(self, name: str) -> list[Any]:
+    def _apart(self, name: str) -> list[Points]:
         """The differences of a value over the strokes from those of the coarser cards."""
         value = methodcaller(name, np.linspace(0, 1, SAMPLES))
         return [

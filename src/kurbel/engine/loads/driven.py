@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 from kurbel.drive.load import COMPRESSOR, PUMP
 from kurbel.engine.loads.ideal import (
@@ -213,11 +213,11 @@ class Compressor:
         sucks = ends.sucked() / (1 + room * (1 - later)) if own else 1
         return kind.of(self.cooled) * sucks / self.stage_ratio(kind, **found)
 
-    def filled(self, kind: Kind, **found: Any) -> Numeric:
+    def filled(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the volume of a cylinder with its clearance, in the swept one."""
         return 1 + self._ends(kind, **found).clearance
 
-    def later_filled(self, kind: Kind, **found: Any) -> Numeric:
+    def later_filled(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the same of the second stage."""
         return (
             self.filled(kind, **found) if self.later_clearance is None else kind.of(1 + self.later_clearance)
@@ -277,7 +277,7 @@ class Compressor:
         raised = self.stage_ratio(kind, **found) * kind.of(self._inside)
         return power(raised, kind.exponent(1 - 1 / self.exponent))
 
-    def _ends(self, kind: Kind, ratio: Any = None, clearance: Any = None) -> _Ends:
+    def _ends(self, kind: Kind, ratio: Numeric | None = None, clearance: Numeric | None = None) -> _Ends:
         inside = 1 - self.suction_loss, self.ratio * (1 + self.delivery_loss)
         if self.stages > 1:
             ratio = self.stage_ratio(kind, **({} if ratio is None else {"ratio": ratio}))

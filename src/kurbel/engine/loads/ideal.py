@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from math import floor
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 from kurbel.drive.load import GAS, STEAM
 from kurbel.errors import ProblemError
@@ -134,7 +134,7 @@ class Steam:
         if self.release < 1:
             level = power(room / (release + numbers.clearance), numbers.exponent)
             behind.append((one, Line(level, numbers.back, release, one)))
-        before: list[tuple[Any, Piece]] = [(cushion, Constant(numbers.back))]
+        before: list[tuple[Numeric, Piece]] = [(cushion, Constant(numbers.back))]
         closed = whole - cushion
         if self.cushion < 1 - self.lead:
             before.append((entry, Polytrope(numbers.back, closed, numbers.exponent, whole, -1)))
@@ -242,7 +242,7 @@ class _Points(NamedTuple):
     # How many times its volume the gas fills when the heat has been supplied.
     cut_off: Numeric
     compression: Numeric
-    expansion: Any
+    expansion: Numeric
 
 
 @dataclass(frozen=True, slots=True)
