@@ -19,6 +19,7 @@ from flint import arb
 
 from kurbel.books.form import UNREAD, Value
 from kurbel.books.printed_value import PrintedValue, Units
+from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.engine import Engine
@@ -196,8 +197,7 @@ class TrueValue(NamedTuple):
             )
 
         def tie_bits(boundary: Fraction) -> float:
-            assert self.bound is not None
-            return float((self.bound() - Separation.rational(boundary * unit)).bits())
+            return float((known(self.bound)() - Separation.rational(boundary * unit)).bits())
 
         ties: TieBits | None = NEVER_TIES if self.bound is None else tie_bits
         return rounded(lambda: self.value() / ball(unit), 0, "half-away", ties)
@@ -226,9 +226,7 @@ def formula_truth(formula: Expression, cells: Callable[[str], TrueValue]) -> Tru
         return constant(rational)
 
     def bound(name: str) -> Separation:
-        found = cells(name).bound
-        assert found is not None
-        return found()
+        return known(cells(name).bound)()
 
     algebraic = not formula.transcendental and all(cells(name).bound is not None for name in formula.names)
     return TrueValue(

@@ -35,6 +35,7 @@ from kurbel.books.printed_value import (
     verdict,
 )
 from kurbel.books.source import SourceCell, SourceTable
+from kurbel.drive.at import known
 from kurbel.errors import KurbelError, SourceError
 from kurbel.exact.numerals import Label, Number
 from kurbel.page.quantity import Words, words
@@ -91,8 +92,7 @@ class Collation:
     def _truth(self, cell: SourceCell) -> TrueValue:
         if cell.quantity:
             return cell_truth(cell, cell.method)
-        assert cell.formula is not None
-        return formula_truth(cell.formula, self._truth_at)
+        return formula_truth(known(cell.formula), self._truth_at)
 
     def _truth_at(self, place: str) -> TrueValue:
         return self.truth(self._by_place[place])
@@ -114,8 +114,7 @@ def collate(
     cell: SourceCell, truth: TrueValue, way: TrueValue | None = None, slips: tuple[str, ...] = ()
 ) -> CollatedValue:
     """Return a printed value with its verdict, from its true value and that of its way."""
-    printed = cell.printed
-    assert printed is not None
+    printed = known(cell.printed)
     right, on_the_way = truth.in_units(printed), way and way.in_units(printed)
     shown = ""
     if printed.exact and truth.rational is None and right != printed.scaled:
@@ -136,8 +135,7 @@ def collated_units(
 
     `shown` is what it should be where no quotient is known to be, `coarsely` the value in the coarser place.
     """
-    printed = cell.printed
-    assert printed is not None
+    printed = known(cell.printed)
     methods = methods_of(cell.quantity) if cell.quantity else ()
     others = {
         method: partial(_units_by, cell, method, printed) for method in methods if method != cell.method

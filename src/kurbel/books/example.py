@@ -26,6 +26,7 @@ from msgspec import Struct
 from kurbel.books.book_values import Expression, TrueValue, formula_truth, kept, quantity_truth
 from kurbel.books.printed_value import PrintedValue, printed_value
 from kurbel.books.source import SOURCE, Book, SourceTable
+from kurbel.drive.at import known
 from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
 from kurbel.page.axes import angle_text
 from kurbel.page.layouts import Notes, Words
@@ -289,8 +290,7 @@ class WorkedPart:
         return name in self.example.page.steps or name in self.numbers or name in WORDS
 
     def _holds(self, condition: str) -> bool:
-        match = _CONDITION.fullmatch(condition)
-        assert match is not None
+        match = known(_CONDITION.fullmatch(condition))
         left, right = (self._formula(match[side]).fraction() for side in ("left", "right"))
         return _SIGNS[match["sign"]](left, right)
 

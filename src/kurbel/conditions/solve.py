@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
-from kurbel.drive.at import turn_time, turned
+from kurbel.drive.at import known, turn_time, turned
 from kurbel.drive.crank import Crank
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ChoiceError, NoRootError, ProblemError
@@ -222,13 +222,12 @@ class SizedQuantity(NamedTuple):
         return self.read(f"{exact_text(condition.value)} {condition.unit}", condition.quantity)
 
     def target(self, crank: Crank, condition: Condition) -> Target:
-        assert crank.radius is not None
-        value = self.metres(condition) / crank.radius
+        value = self.metres(condition) / known(crank.radius)
         if not self.speed:
             return Target.rational(value)
-        assert crank.speed is not None
-        value /= crank.speed.value**self.speed
-        if not crank.speed.turns or not value:
+        speed = known(crank.speed)
+        value /= speed.value**self.speed
+        if not speed.turns or not value:
             return Target.rational(value)
         return Target(lambda: ball(value) / (2 * pi()) ** self.speed)
 

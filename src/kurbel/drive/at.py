@@ -33,7 +33,7 @@ Part = TypeVar("Part")
 
 
 def known(part: Part | None) -> Part:
-    """Return what must be known of a crank where it is asked for."""
+    """Return what must be known where it is asked for."""
     assert part is not None
     return part
 

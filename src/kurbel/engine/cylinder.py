@@ -14,7 +14,7 @@ from functools import lru_cache, reduce
 from itertools import product
 from typing import Any, NamedTuple
 
-from kurbel.drive.at import CrankForce, Weights
+from kurbel.drive.at import CrankForce, Weights, known
 from kurbel.drive.moved import Moved
 from kurbel.drive.wheel import Flywheel
 from kurbel.engine.engine import Assembly, Engine
@@ -210,13 +210,11 @@ class AnyTurn(ABC):
         return Cylinder(drive, strokes, mean, weights, kind, circle, unit, part.friction(kind))
 
     def _unit(self, part: Engine, kind: Kind) -> Numeric:
-        moments = []
-        for one in (part, self.part):
-            assert one.load is not None
-            assert one.pressure is not None
-            assert one.crank.radius is not None
-            moments.append(one.pressure * one.load.bore**2 * one.crank.radius)
-        return kind.of(moments[0] / moments[1])
+        own, first = (
+            known(one.pressure) * known(one.load).bore ** 2 * known(one.crank.radius)
+            for one in (part, self.part)
+        )
+        return kind.of(own / first)
 
     @property
     def cycle(self) -> int:
@@ -288,14 +286,11 @@ class AnyTurn(ABC):
     def force_unit(self) -> Numeric:
         """The force Q in newtons."""
         first = self.part
-        assert first.load is not None
-        assert first.pressure is not None
-        return self.of(first.pressure * first.load.bore**2 / 4) * self.pi
+        return self.of(known(first.pressure) * known(first.load).bore ** 2 / 4) * self.pi
 
     def torque_unit(self) -> Numeric:
         """The moment Q R about the shaft in newton metres."""
-        assert self.engine.crank.radius is not None
-        return self.force_unit() * self.of(self.engine.crank.radius)
+        return self.force_unit() * self.of(known(self.engine.crank.radius))
 
     def back(self) -> Numeric:
         """The back pressure R_b/Q."""

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.drive.at import CRANK_FORCES
+from kurbel.drive.at import CRANK_FORCES, known
 from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.engine_quantities import AT_ANGLE, EXTREMES, engine_registry, value
 from kurbel.engine.turn import turn_ties
@@ -69,8 +69,7 @@ def certified(value: Callable[[], Numeric], column: Column, rounding: str, ties:
         if isinstance(near, Fraction):
             return given(near, decimals, rounding)
         decimals = figures(float(near)) if decimals is None else decimals
-    assert decimals is not None
-    return Number(rounded(value, decimals, rounding, ties), decimals)
+    return Number(rounded(value, known(decimals), rounding, ties), known(decimals))
 
 
 def printed(asked: CellValue, rounding: str, carded: bool) -> Number | None:

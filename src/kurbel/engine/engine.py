@@ -116,8 +116,8 @@ class Engine:
     def at_speed(self, factor: Fraction) -> Engine:
         """Return the engine at so many times its speed, that of its masses."""
         crank = self.crank
-        assert crank.speed is not None
-        faster = replace(crank, speed=replace(crank.speed, value=crank.speed.value * factor))
+        speed = known(crank.speed)
+        faster = replace(crank, speed=replace(speed, value=speed.value * factor))
         return replace(self, drive=self.drive.of(faster))
 
     @property
@@ -159,25 +159,21 @@ class Engine:
         """Return the friction of piston and crosshead in Q, None where there is none."""
         if not self.crank.has_friction:
             return None
-        assert self.load is not None
-        assert self.pressure is not None
         force = known(self.crank.effort).friction
-        return kind.of(4 * force / (self.load.bore**2 * self.pressure)) / kind.pi
+        return kind.of(4 * force / (known(self.load).bore ** 2 * known(self.pressure))) / kind.pi
 
     def weights(self, kind: Kind) -> Weights | None:
         """Return the masses in units of Q/(R ω²), in a kind of number."""
         crank, pressure = self.crank, self.pressure
         if crank.moving is None or pressure is None:
             return None
-        assert self.load is not None
-        assert crank.radius is not None
-        assert crank.speed is not None
+        speed, square = known(crank.speed), known(self.load).bore ** 2
         # Q = π/4 d² p; ω has the factor 2π where it counts turns.
-        scale = 4 * crank.radius * crank.speed.value**2 / (self.load.bore**2 * pressure)
-        turned = kind.of(4 * scale) * kind.pi if crank.speed.turns else kind.of(scale) / kind.pi
+        scale = 4 * known(crank.radius) * speed.value**2 / (square * pressure)
+        turned = kind.of(4 * scale) * kind.pi if speed.turns else kind.of(scale) / kind.pi
         newton: Numeric = 1
         if crank.moving.slope is not None:
-            newton = kind.of(4 / (self.load.bore**2 * pressure)) / kind.pi
+            newton = kind.of(4 / (square * pressure)) / kind.pi
         return crank.moving.weights(kind, turned, newton)
 
     def _check_load(self) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import product
 
-from kurbel.drive.at import CRANK_FORCES
+from kurbel.drive.at import CRANK_FORCES, known
 from kurbel.engine.captions import (
     OF_RUNS,
     cylinder_notes,
@@ -175,16 +175,12 @@ def _says_forces(request: EngineRequest) -> bool:
 
 def _sized(request: EngineRequest) -> Label:
     """The speed that makes a power of the work, and the radius where cylinders do not have their strokes."""
-    crank = request.first.crank
-    assert crank.speed is not None
-    if request.assembly is not None:
-        return turns_label(crank.speed)
-    return f"{_radius(request)}, {turns_label(crank.speed)}"
+    turns = turns_label(known(request.first.crank.speed))
+    return f"{_radius(request)}, {turns}" if request.assembly is None else turns
 
 
 def _radius(request: EngineRequest) -> Label:
-    radius = request.first.crank.radius
-    assert radius is not None
+    radius = known(request.first.crank.radius)
     return f"${request.layout.ratio_symbol[0]} = {amount(radius, 'mm', exact_text)}$"
 
 
@@ -212,8 +208,7 @@ def _directions(request: EngineRequest, shown: Sequence[Quantity]) -> Iterator[L
 
 def _direction(request: EngineRequest, force: Quantity) -> Label:
     """The direction of a force; the load at the crosshead is the sum of all that acts there."""
-    assert force.direction is not None
-    said, crank = force.direction[request.lang], request.first.crank
+    said, crank = known(force.direction)[request.lang], request.first.crank
     others = (" + F_G" if crank.weighed else "") + (" + F_R" if crank.has_friction else "")
     return said.replace("F + F_m", f"F + F_m{others}")
 

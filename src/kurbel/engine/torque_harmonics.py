@@ -112,8 +112,7 @@ def phase(at: At) -> Numeric:
 
 
 def _whole(at: At) -> Wave:
-    assert at.wave is not None
-    return at.wave
+    return known(at.wave)
 
 
 def star(at: At) -> Star:

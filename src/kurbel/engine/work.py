@@ -10,6 +10,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
+from kurbel.drive.at import known
 from kurbel.drive.wheel import Flywheel
 from kurbel.engine.cylinder import AnyTurn, TurnPlace
 from kurbel.engine.engine import Engine
@@ -40,16 +41,12 @@ def power(turn: AnyTurn, where: TurnPlace) -> Numeric:
 
 def kilowatts(turn: AnyTurn) -> Numeric:
     """Return Q R ω in kW."""
-    speed = turn.engine.crank.speed
-    assert speed is not None
-    return turn.torque_unit() * speed.omega(turn) / 1000
+    return turn.torque_unit() * known(turn.engine.crank.speed).omega(turn) / 1000
 
 
 def kilopascals(turn: AnyTurn) -> Numeric:
     """Return the pressure that Q is of, in kPa."""
-    pressure = turn.engine.pressure
-    assert pressure is not None
-    return turn.of(pressure / 1000)
+    return turn.of(known(turn.engine.pressure) / 1000)
 
 
 def volumetric_efficiency(turn: AnyTurn, where: TurnPlace) -> Numeric:
@@ -66,12 +63,10 @@ def delivered(turn: AnyTurn, where: TurnPlace) -> Numeric:
 
 def flow(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return what all cylinders deliver in m³/min, in the state of suction."""
-    engine, speed = turn.engine.parts[0], turn.engine.crank.speed
-    assert engine.load is not None
-    assert engine.crank.radius is not None
-    assert speed is not None
+    engine, speed = turn.engine.parts[0], known(turn.engine.crank.speed)
+    bore, radius = known(engine.load).bore, known(engine.crank.radius)
     # π/4 d² times the stroke, both 2 R long and counted in R.
-    swept = turn.of(engine.load.bore**2 / 4 * engine.crank.radius) * turn.pi * turn.cylinder.drive.length
+    swept = turn.of(bore**2 / 4 * radius) * turn.pi * turn.cylinder.drive.length
     strokes = turn.of(ends(engine) * len(engine.starts) * 60 * speed.value)
     turns = strokes if speed.turns else strokes / (2 * turn.pi)
     return delivered(turn, where) * swept * turns
@@ -185,8 +180,7 @@ def inertia(turn: AnyTurn, where: TurnPlace) -> Numeric:
 
 
 def mass(turn: AnyTurn, where: TurnPlace) -> Numeric:
-    radius = _flywheel(where).radius
-    assert radius is not None
+    radius = known(_flywheel(where).radius)
     return inertia(turn, where) / turn.of(radius * radius)
 
 
@@ -195,8 +189,7 @@ def _number(turn: AnyTurn, value: Numeric) -> Numeric:
 
 
 def _flywheel(where: TurnPlace) -> Flywheel:
-    assert where.flywheel is not None
-    return where.flywheel
+    return known(where.flywheel)
 
 
 def true_inertia(turn: AnyTurn, where: TurnPlace) -> Numeric:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, ClassVar
 
+from kurbel.drive.at import known
 from kurbel.drive.crank import Crank, DescribedDrive, radii
 from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, MASSES, PUMP, STEAM
 from kurbel.errors import NotationError, ProblemError
@@ -369,8 +370,7 @@ class Arc(RockerMechanism):
 
 
 def _arc(said: DescribedDrive, crank: Crank) -> ArcCrank:
-    assert said.rocker is not None
-    rocker, places = radii(said.rocker, "rocker", crank.radius), _pivot(said, crank.radius)
+    rocker, places = radii(known(said.rocker), "rocker", crank.radius), _pivot(said, crank.radius)
     if said.offset is not None:
         crank = replace(crank, offset=radii(said.offset, "offset", crank.radius))
     # Without a place the pivot has none of its own.

@@ -20,6 +20,7 @@ from typing import ClassVar
 import flint
 from flint import arb
 
+from kurbel.drive.at import known
 from kurbel.drive.crank import LONGEST_ROD, Crank, DescribedDrive, radii
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball
@@ -270,9 +271,8 @@ class Beam(RockerMechanism):
 
     def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[BeamCrank, ...]:
         self.check_method(said)
-        assert said.beam is not None
         return tuple(
-            BeamCrank(crank, radii(said.beam, "beam", crank.radius)) for crank in said.cranks(ratios)
+            BeamCrank(crank, radii(known(said.beam), "beam", crank.radius)) for crank in said.cranks(ratios)
         )
 
     def solved(self, drives: Sequence[BeamCrank], method: str | None) -> tuple[BeamDrive, ...]:

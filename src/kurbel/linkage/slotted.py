@@ -10,7 +10,7 @@ from typing import Any
 
 from flint import arb
 
-from kurbel.drive.at import At
+from kurbel.drive.at import At, known
 from kurbel.drive.crank import LONGEST_ROD, RODLESS, Crank, DescribedDrive, radii
 from kurbel.drive.load import FORCE
 from kurbel.errors import ProblemError
@@ -419,8 +419,7 @@ class Slotted(LinkageMechanism):
             given = getattr(said, name)
             return None if given is None else radii(given, name, crank.radius)
 
-        pivot = length("pivot")
-        assert pivot is not None
+        pivot = known(length("pivot"))
         # Long enough for the block, where it is farthest from the pivot.
         arm = length("rocker") or pivot + 1
         circuit, rod = 1 if said.circuit is None else as_number(said.circuit, "circuit"), length("rod")

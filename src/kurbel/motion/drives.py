@@ -16,6 +16,7 @@ from typing import Any
 import flint
 from flint import arb
 
+from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, half_turn_circle, rounded
@@ -168,8 +169,7 @@ class Drive(ABC):
 
     def rests(self, velocity: Quantity, angles: Iterable[Callable[[], arb]]) -> tuple[Place, Place]:
         """Return the places at these angles, in half turns, where a velocity is zero."""
-        jet = self.jet(velocity)
-        assert jet is not None
+        jet = known(self.jet(velocity))
         begin, end = (Place(angle, self.centre, jet.value.norm()) for angle in angles)
         return begin, end
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kurbel.drive.at import At
+from kurbel.drive.at import At, known
 from kurbel.drive.crank import Crank
 from kurbel.drive.moved import DeadCentres
 from kurbel.exact.bulk import Integers, evaluate
@@ -206,8 +206,7 @@ class LongColumns(ABC):
 
         if self.is_constant(one):
             return np.full(len(places), exactly(0))
-        found = self._enclosed(one, place, places)
-        assert found is not None
+        found = known(self._enclosed(one, place, places))
         return settled(found, one.places, self.question.rounding, exactly)
 
     def exactly(self, one: Column, place: Place, angle: int) -> Number:

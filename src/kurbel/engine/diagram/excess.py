@@ -15,6 +15,7 @@ from fractions import Fraction
 from functools import cached_property, partial
 from typing import NamedTuple
 
+from kurbel.drive.at import known
 from kurbel.engine.diagram.fluctuation import Extreme, places, work_of
 from kurbel.engine.diagram.torque import QUARTER, TURN, Line, Torque, Waves, common_cycle
 from kurbel.engine.diagram.zeros import Zero, is_plain, over_cycle, waves_at, zeros
@@ -68,8 +69,7 @@ class ExcessTorque(FrozenValue):
                 " or that of the load, --load-torque"
             )
         if drive is None:
-            assert load is not None
-            return cls(_constant(load), load, by_degree)
+            return cls(_constant(known(load)), known(load), by_degree)
         return cls(drive, _constant(drive) if load is None else load, by_degree)
 
     @cached_property

@@ -187,8 +187,7 @@ def place_text(extreme: Extreme, most: int = PLACES, rounding: str = "half-away"
         decimals = finite_decimals(extreme.exact)
         number = nearest(extreme.exact, most if decimals is None else min(decimals, most), rounding)
     else:
-        assert extreme.degrees is not None
-        number = Number(settled(extreme.degrees, most, rounding), most)
+        number = Number(settled(known(extreme.degrees), most, rounding), most)
     return f"{number_text(number)}°"
 
 

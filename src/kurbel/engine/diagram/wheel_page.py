@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from kurbel.drive.at import known
 from kurbel.engine.diagram.excess import ExcessTorque, acceleration_line
 from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation, place_text
 from kurbel.engine.diagram.relations import ACCELERATION, SHOWN, registry
@@ -107,8 +108,7 @@ def _rim(question: WheelRequest) -> Iterator[Label]:
 
 def _places(question: WheelRequest) -> Iterator[Label]:
     """Yield where the speed is greatest and where least."""
-    assert question.fluctuation is not None
-    high, low = (question.fluctuation.extremes(greatest=greatest) for greatest in (True, False))
+    high, low = (known(question.fluctuation).extremes(greatest=greatest) for greatest in (True, False))
     names = {"high": _listed(high, question), "low": _listed(low, question)}
     yield OF_WHEELS["places"][question.lang].format(**names)
     if high[0].letter:

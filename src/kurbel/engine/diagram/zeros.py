@@ -162,8 +162,7 @@ def over_cycle(found: Iterable[Zero], excess: Torque, cycle: Fraction) -> tuple[
 
 
 def _angle(extreme: Extreme) -> float:
-    assert extreme.degrees is not None
-    return float(extreme.degrees(floats()))
+    return float(known(extreme.degrees)(floats()))
 
 
 def _straight(lines: Iterable[Line]) -> Iterator[Fraction]:
@@ -226,8 +225,8 @@ def _is_alone(zero: Zero, place: Fraction) -> bool:
     A zero that the signs isolate is one; of another as many derivatives vanish here as before the first that
     vanishes nowhere in the interval.
     """
-    assert zero.excess is not None
-    waves, line = zero.excess.waves, zero.excess.lines[zero.line]
+    excess = known(zero.excess)
+    waves, line = excess.waves, excess.lines[zero.line]
     if not waves.vanishes(place, line.value(place)):
         return False
     root = known(zero.root)
@@ -235,7 +234,7 @@ def _is_alone(zero: Zero, place: Fraction) -> bool:
         return True
     with at_bits(ISOLATING_BITS):
         whole = interval(root.low, root.high)
-        _, slope = functions(zero.excess, zero.line, zero.unit)
+        _, slope = functions(excess, zero.line, zero.unit)
         if not slope(whole).contains(0):
             return True
         if line.slope:

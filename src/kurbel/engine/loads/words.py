@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple, Protocol
 
+from kurbel.drive.at import known
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM, figure
 from kurbel.engine.engine import Assembly, Load
 from kurbel.engine.loads.driven import DIFFERENTIAL, DOUBLE, Compressor, Pump
@@ -109,8 +110,7 @@ def millimetres(length: Fraction) -> Label:
 
 def kilopascals(load: Load, times: Fraction = Fraction(1)) -> Label:
     """Return the pressure that Q is of, or a multiple of it, as it stands in a formula."""
-    assert load.pressure is not None
-    return amount(load.pressure * times, "kPa", exact_text)
+    return amount(known(load.pressure) * times, "kPa", exact_text)
 
 
 def _steam_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
@@ -247,8 +247,7 @@ def _gas_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
         usual = " (--exponent)" if load.exponent == Fraction(7, 5) else ""
         yield OTHERS["both"][lang].format(exponent=figure(load.exponent)) + usual
     else:
-        assert load.expansion_exponent is not None
-        yield _apart(load.exponent, load.expansion_exponent, lang)
+        yield _apart(load.exponent, known(load.expansion_exponent), lang)
     if not load.two_stroke:
         said = "unraised" if load.exhaust == 1 else "exhaust"
         yield OTHERS[said][lang].format(exhaust=figure(load.exhaust))

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from kurbel.drive.at import known
 from kurbel.engine.power.source import ActingPressure, Compound, GivenPressure, whole, work_of
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Product, Term, number, variable
@@ -405,8 +406,7 @@ class Results(NamedTuple):
 
     def steam(self) -> Term:
         """Return the steam of a second in kg."""
-        volume = self.duty.specific_volume
-        assert volume is not None
+        volume = known(self.duty.specific_volume)
         return Term(self.acting.steam_taken) * self.swept() * self.rate() / number(volume)
 
     def steam_of_work(self) -> Term:
@@ -435,8 +435,7 @@ class Results(NamedTuple):
 
     def expanded(self) -> Term:
         """Return how many times the steam expands in the high-pressure cylinder."""
-        assert self.duty.compound is not None
-        return self.duty.compound.expansion(self.acting, self.of(PRESSURE), self.of(BORE))
+        return known(self.duty.compound).expansion(self.acting, self.of(PRESSURE), self.of(BORE))
 
     def filled(self) -> Term:
         """Return the high-pressure cylinder as a share of the low-pressure one."""
@@ -457,9 +456,7 @@ class Results(NamedTuple):
 
     def sought(self) -> Term:
         """Return the number of the load that was asked for."""
-        sought = self.acting.sought
-        assert sought is not None
-        return Term(Product.about(sought.number))
+        return Term(Product.about(known(self.acting.sought).number))
 
     def of(self, name: str) -> Term:
         """Return a variable in its SI unit, the speed in turns a second."""

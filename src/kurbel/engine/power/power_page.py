@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
+from kurbel.drive.at import known
 from kurbel.drive.load import COMPRESSOR, figure
 from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
@@ -366,8 +367,7 @@ def _area(duty: Duty) -> Iterator[str]:
 
 
 def _steam_taken(source: ActingPressure, duty: Duty, lang: str) -> Label:
-    steam, volume = source.load, duty.specific_volume
-    assert volume is not None
+    steam, volume = source.load, known(duty.specific_volume)
     kept = "p_b/p" if steam.exponent == 1 else f"(p_b/p)^(1/{figure(steam.exponent)})"
     taken = f"$[1/ε + κ (1 - {kept})]$" if steam.clearance else "$1/ε$"
     if steam.cushion != 1:

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple, NoReturn, TypeVar
 
 import flint
 
+from kurbel.drive.at import known
 from kurbel.drive.wheel import Wheel
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.speed.course import Course, energies
@@ -78,9 +79,7 @@ class AnyRun(ABC):
     @property
     def mean_omega(self) -> Numeric:
         """The mean speed ½ (ω_max + ω_min) in 1/s."""
-        given = self.wheel.speed
-        assert given is not None
-        return given.omega(self.turn)
+        return known(self.wheel.speed).omega(self.turn)
 
     @property
     def first_omega(self) -> Numeric:
@@ -98,9 +97,8 @@ class AnyRun(ABC):
     @property
     def at_mean(self) -> Numeric:
         """J ω_m²/(P r), the number of the flywheel at the mean speed."""
-        assert self.wheel.inertia is not None
         mean = self.mean_omega
-        return self.turn.of(self.wheel.inertia) * mean * mean / self.mean_torque
+        return self.turn.of(known(self.wheel.inertia)) * mean * mean / self.mean_torque
 
     def irregularity(self) -> Numeric:
         """Return (v_max - v_min)/v_m."""
@@ -271,9 +269,7 @@ class SampledRun(NamedTuple):
 
 def given_of(wheel: Wheel) -> float:
     """Return what a flywheel is known by."""
-    given = wheel.inertia if wheel.number is None else wheel.number
-    assert given is not None
-    return float(given)
+    return float(known(wheel.inertia if wheel.number is None else wheel.number))
 
 
 def hit(value: Callable[[float], float | None], target: float, most: float) -> float | None:

@@ -27,6 +27,7 @@ from typing import NamedTuple
 
 from flint import arb
 
+from kurbel.drive.at import known
 from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.speed.course import Bounds, Course, Section, energies
@@ -214,8 +215,7 @@ class SquareRun(SolvedRun):
 
         lag = solved(1.0)
         if lag is not None and lag < LEAST_LAG:
-            factor = weight_of(LEAST_LAG)
-            assert factor is not None
+            factor = known(weight_of(LEAST_LAG))
             least = above(given_of(self.wheel) * factor / weight)
             raise ProblemError(
                 f"{self.wheel.named} is too light: the speed follows the torque at every angle, as if there"

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
 from typing import TypeAlias
 
+from kurbel.drive.at import known
 from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine import notes
 from kurbel.engine.digits import CellValue, printed
@@ -111,8 +112,7 @@ def _notes(request: EngineRequest) -> Iterator[Label | Note]:
     lang = request.lang
     methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
     laws = dict.fromkeys("first_order" if one == "weisbach" else "root" for one in methods)
-    heavy, wheel = request.first.crank.moving is not None, request.wheel
-    assert wheel is not None
+    heavy, wheel = request.first.crank.moving is not None, known(request.wheel)
     others = {"masses": heavy, "square_law": wheel.resistance == SQUARE}
     own = [law for law, holds in others.items() if holds]
     yield "; ".join([OF_SPEED[law][lang] for law in own or laws])
@@ -141,9 +141,10 @@ def _number(request: EngineRequest, column: Column, place: Place, times: int) ->
     """The printed number at a place, of a run or of its turn."""
     if column.quantity.key not in of_runs():
         return TURNING.number(request, column, place, times)
-    assert request.wheel is not None
     turns = [request.turn(place["expansion"], place["ratio"], method) for method in column.methods]
-    asked = CellValue(column, [run_of(turn, request.wheel) for turn in turns], request.where(place), times)
+    asked = CellValue(
+        column, [run_of(turn, known(request.wheel)) for turn in turns], request.where(place), times
+    )
     return printed(asked, request.rounding, request.carded)
 
 
