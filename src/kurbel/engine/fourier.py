@@ -146,10 +146,8 @@ class Wave(NamedTuple):
 
     def turned(self, star: Star) -> Wave:
         """Return the sum of such waves, the rays of a star behind this one."""
-        if isinstance(self.cosine, float):
-            x, y = star.point(lambda degrees: floats().circle(float(degrees)), float)
-        else:
-            x, y = star.point(balls().circle, ball)
+        kind = floats() if isinstance(self.cosine, float) else balls()
+        x, y = star.point(kind.circle, kind.of)
         return Wave(self.cosine * x - self.sine * y, self.sine * x + self.cosine * y)
 
     def __add__(self, other: object) -> Wave:

@@ -155,8 +155,7 @@ class PressureDrive:
 
     def _circle(self, moved: Moved, where: StrokePlace, kind: Kind) -> Circle[Numeric]:
         if where.angle is not None:
-            degrees = 180 * where.angle
-            return kind.circle(float(degrees) if kind.of is float else degrees)
+            return kind.circle(180 * where.angle)
         return half_turn_circle(ball(self._angle(moved, where, kind)))
 
     def _angle(self, moved: Moved, where: StrokePlace, kind: Kind) -> Numeric:

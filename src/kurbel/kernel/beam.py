@@ -95,7 +95,8 @@ def swing_tangent(square: Numeric, arm: Numeric, ratio: Numeric) -> Numeric:
     shaft = distance + sagitta(square, arm) / 2
     inner = ratio * (distance * shaft + chord) - 1
     outer = distance * (1 / chord - ratio) + ratio * chord * shaft
-    excess = (1 + ratio) * _versine(lean_sine(square, arm, ratio))
+    lean = lean_sine(square, arm, ratio)
+    excess = (1 + ratio) * (lean * lean / (1 + cosine_of(lean)))
     return excess / (outer + root(outer * outer - excess * (2 * inner + excess)))
 
 
@@ -103,7 +104,3 @@ def _chord_distance(square: Numeric, arm: Numeric) -> Numeric:
     """Return the distance of the chord from the pivot."""
     chord = root(square)
     return root((arm - chord) * (arm + chord))
-
-
-def _versine(sine: Numeric) -> Numeric:
-    return sine * sine / (1 + cosine_of(sine))

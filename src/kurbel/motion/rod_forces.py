@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
+from functools import partial
 from itertools import product
 from typing import NamedTuple
 
@@ -109,14 +110,10 @@ def _drive() -> Iterator[Share]:
         ("torque", "M", "Drehmoment|Torque", lambda rod, part: rod.torque(part), TORQUE),
     ):
         for part in PARTS:
-            kernel = _of_part(formula, part)
+            kernel = partial(formula, part=part)
             yield Share(
                 f"inertia_{key}_{part}", f"{letter}_{NUMBERS[part]}", words(name), NAMES[part], kernel, unit
             )
-
-
-def _of_part(formula: Callable[[AccelerationParts, str], Numeric], part: str) -> Kernel:
-    return lambda rod: formula(rod, part)
 
 
 def part_entries(parted_of: Callable[[At], AccelerationParts], slide: bool = True) -> Iterator[Quantity]:

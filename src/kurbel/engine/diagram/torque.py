@@ -326,7 +326,7 @@ class Waves(FrozenValue):
         total = kind.of(Fraction(0))
         for amplitude, _, phase in self.placed(degrees).parts:
             own = kind.of(amplitude)
-            total = total + (own * _cosine(phase, kind) if phase else own)
+            total = total + (own * kind.circle(phase).cosine if phase else own)
         return total
 
     def within(self, degrees: arb) -> arb:
@@ -372,7 +372,3 @@ def _normal(amplitude: Fraction, order: Fraction, phase: Fraction) -> tuple[Wave
     if not order and phase in _COSINES:
         amplitude, phase = amplitude * _COSINES[int(phase)], Fraction(0)
     return (order, phase), amplitude
-
-
-def _cosine(degrees: Fraction, kind: Kind) -> Numeric:
-    return kind.circle(float(degrees) if kind.of is float else degrees).cosine
