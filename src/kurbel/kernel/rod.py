@@ -58,7 +58,7 @@ class Vector(NamedTuple, Generic[Kind]):
     along: Kind
     across: Kind
 
-    def size(self) -> Kind:
+    def size(self) -> Numeric:
         """Return its amount."""
         return magnitude(self.along, self.across)
 
