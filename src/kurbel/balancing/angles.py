@@ -12,15 +12,14 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.balancing.arrangement import Arrangement, Cylinder, Residual, factor
+from kurbel.balancing.arrangement import Cylinder, Residual, factor
 from kurbel.balancing.balance_page import (
     DECIMALS,
-    NEWTON_DECIMALS,
     RESIDUALS,
     SUBJECT,
-    WEIGHED,
     BalanceRequest,
     balance_notes,
+    in_newtons,
 )
 from kurbel.balancing.harmonics import OrderAxis
 from kurbel.balancing.vector import IN_NEWTONS, Point, Vector
@@ -36,7 +35,6 @@ from kurbel.kernel.kinematics import piston_acceleration
 from kurbel.page.axes import AngleAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.table import Field
-from kurbel.reading.amounts import BOTH
 
 # What a cylinder's force counts: 1, or its arm.
 Weigh = Callable[[Cylinder], Fraction]
@@ -52,13 +50,20 @@ def of_order(residual: Residual, order: int, angle: Fraction) -> Vector:
     return Vector(forward + residual.backward.turned(-order * angle))
 
 
-def of_all(arrangement: Arrangement, residual: str, first: Residual, crank: Crank, angle: Fraction) -> Vector:
-    """Return the vector of all orders at an angle in degrees, in units of m R ω²; `first` is the first order.
+def of_all(question: BalanceRequest, residual: str, crank: Crank, angle: Fraction) -> Vector:
+    """Return the vector of all orders at an angle in degrees, in units of m R ω².
 
-    Exact for every crank ratio 0 <= λ < 1.
+    Exact for every crank ratio 0 <= λ < 1; by other methods the sum of the orders that the page has.
     """
+    residuals, method = question.residuals, question.method
+    if method != "exact":
+        total = Vector()
+        for order in question.orders:
+            share = known(factor(order, crank, method).rational)
+            total += of_order(residuals[residual, order], order, angle) * share
+        return total
     groups: dict[Fraction, Star] = {}
-    for cylinder in arrangement.cylinders:
+    for cylinder in question.placed.cylinders:
         turned = (angle + cylinder.crank - cylinder.bank) % 180
         folded = min(turned, 180 - turned)
         ray = Star.ray(cylinder.bank, cylinder.mass * WEIGH[residual](cylinder))
@@ -68,7 +73,7 @@ def of_all(arrangement: Arrangement, residual: str, first: Residual, crank: Cran
         for folded, star in sorted(groups.items())
         if crank.ratio and not star.vanishes()
     ]
-    return Vector(of_order(first, 1, angle).star, tuple(rest))
+    return Vector(of_order(residuals[residual, 1], 1, angle).star, tuple(rest))
 
 
 def _even(angle: Fraction, star: Star, ratio: Fraction) -> Point:
@@ -115,14 +120,7 @@ def quantities() -> Mapping[str, Quantity]:
     for key, name, head in rows:
         formulas = {"exact": Formula(PRINTED[key])}
         own = entry(key, name, "", "m R ω²", DECIMALS, formulas, head)
-        in_newtons = {lang: f"{text} in {BOTH}" for lang, text in own.heading.items()}
-        found += [
-            own,
-            own._replace(
-                key=key + IN_NEWTONS, unit=words(BOTH), decimals=NEWTON_DECIMALS, heading=in_newtons,
-                needs=(WEIGHED,),
-            ),
-        ]  # fmt: skip
+        found += [own, in_newtons(own)]
     formulas = {"exact": Formula(PRINTED["direction"])}
     found.append(entry("direction", "Richtung|Direction", "", "°", DIRECTION_DECIMALS, formulas,
                        "Richtung in °|direction in °"))  # fmt: skip
@@ -162,14 +160,7 @@ class AngleRequest(BalanceRequest):
         crank, angle = Crank(self.ratios[ratio]), self.angles[at]
         if order is not None:
             return of_order(self.residuals[key, order], order, angle), factor(order, crank, self.method)
-        if self.method == "exact":
-            first = self.residuals[key, 1]
-            return of_all(self.placed, key, first, crank, angle), Real.of(1)
-        total = Vector()
-        for one in self.orders:
-            scale = known(factor(one, crank, self.method).rational)
-            total += of_order(self.residuals[key, one], one, angle) * scale
-        return total, Real.of(1)
+        return of_all(self, key, crank, angle), Real.of(1)
 
 
 class LineAxis(OrderAxis):

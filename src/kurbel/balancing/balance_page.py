@@ -35,7 +35,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, texts, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import BOTH, amount, unit_of_page
@@ -93,16 +93,22 @@ def balance_registry() -> Mapping[str, Quantity]:
     for key, name, spanner, head in _LENGTHS:
         formulas = {"exact": Formula(LENGTHS[key].value)}
         own = entry(key, name, "", "m R ω²", DECIMALS, formulas, head, spanners=(words(spanner),))
-        entries += [own, _in_newtons(own)]
+        entries += [own, in_newtons(own)]
     return {one.key: one for one in entries}
 
 
-def _in_newtons(own: Quantity) -> Quantity:
-    unit = words(BOTH)
-    spanners = tuple({lang: f"{one[lang]} in {unit[lang]}" for lang in one} for one in own.spanners)
+def in_newtons(own: Quantity) -> Quantity:
+    """Return a length of a residual in newtons or newton metres: so its head says, or what stands above."""
+
+    def told(head: Words) -> Words:
+        return {lang: f"{text} in {BOTH}" for lang, text in head.items()}
+
+    spanners = tuple(map(told, own.spanners))
+    heading = own.heading if spanners else told(own.heading)
     return own._replace(
-        key=own.key + IN_NEWTONS, unit=unit, decimals=NEWTON_DECIMALS, spanners=spanners, needs=(WEIGHED,)
-    )
+        key=own.key + IN_NEWTONS, unit=words(BOTH), decimals=NEWTON_DECIMALS, heading=heading,
+        spanners=spanners, needs=(WEIGHED,),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

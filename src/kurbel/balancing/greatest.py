@@ -21,7 +21,7 @@ from typing import NamedTuple
 import flint
 from flint import arb, arb_series
 
-from kurbel.balancing.angles import WEIGH, WORDS, LineAxis, of_all, of_order
+from kurbel.balancing.angles import WEIGH, WORDS, LineAxis, of_all
 from kurbel.balancing.arrangement import LENGTHS, Arrangement, Residual, certified_length, factor
 from kurbel.balancing.balance_page import (
     RESIDUALS,
@@ -29,9 +29,10 @@ from kurbel.balancing.balance_page import (
     BalanceRequest,
     balance_notes,
     balance_registry,
+    in_newtons,
 )
 from kurbel.balancing.harmonics import HARMONICS
-from kurbel.balancing.vector import IN_NEWTONS, Vector
+from kurbel.balancing.vector import Vector
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
@@ -44,7 +45,6 @@ from kurbel.exact.search import SHARP_BITS, Summit, Zero, isolate
 from kurbel.kernel.harmonics import Star
 from kurbel.page.axes import Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry
-from kurbel.reading.amounts import BOTH
 
 # The value, its slope and half its second slope.
 TERMS = 3
@@ -262,20 +262,13 @@ NEAR = 1e-9
 @cache
 def quantities() -> Mapping[str, Quantity]:
     """Return the columns by their keys."""
-    own = balance_registry()
     # The heads of the pages by orders stand under a spanner.
-    headed = {
-        key: own[key]._replace(spanners=(), heading=own[key].name if key == GREATEST else _in_newtons(own))
-        for key in (GREATEST, GREATEST + IN_NEWTONS)
-    }
+    whole = balance_registry()[GREATEST]
+    own = whole._replace(spanners=(), heading=whole.name)
     name = "größter Betrag bei φ|Greatest magnitude at φ"
     head = "bei $φ$ in °|at $φ$ in °"
     place = entry(PLACE, name, "", "°", PLACE_DECIMALS, {"exact": Formula(LENGTHS[GREATEST].value)}, head)
-    return {**headed, PLACE: place}
-
-
-def _in_newtons(own: Mapping[str, Quantity]) -> Mapping[str, str]:
-    return {lang: f"{name} in {BOTH}" for lang, name in own[GREATEST].name.items()}
+    return {one.key: one for one in (own, in_newtons(own), place)}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -384,14 +377,7 @@ def _is_reached(question: ExtremesRequest, where: tuple[str, int], found: Greate
     key, ratio = where
     angle = Fraction(round(float(_printed_degrees(found).mid()) * FINEST), FINEST)
     crank = Crank(question.ratios[ratio])
-    if question.method == "exact":
-        vector = of_all(question.placed, key, question.residuals[key, 1], crank, angle)
-    else:
-        vector = Vector()
-        for order in question.orders:
-            share = known(factor(order, crank, question.method).rational)
-            vector += of_order(question.residuals[key, order], order, angle) * share
-    return (vector.square() - length**2).vanishes()
+    return (of_all(question, key, crank, angle).square() - length**2).vanishes()
 
 
 def _notes(question: ExtremesRequest) -> Iterator[Label]:

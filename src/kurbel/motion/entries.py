@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, NamedTuple
 
-from kurbel.drive.at import At, angular_square, angular_velocity, rubbing, turn_time, turned
+from kurbel.drive.at import At, angular_square, angular_velocity, known, rubbing, turn_time, turned
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
@@ -368,33 +368,66 @@ def headed(
 
 
 class Measure(NamedTuple):
-    """What the size or the speed of the crank makes of a unit of the drive's own."""
+    """What the crank's size or speed, or the mass of its rod, makes of a unit of the drive's own."""
 
     unit: str
     decimals: int
-    scale: Callable[..., Numeric]
-    need: Need
+    scale: Callable[[Crank, Kind], Numeric]
+    needs: tuple[Need, ...]
+
+
+def _rod_newtons(crank: Crank, kind: Kind) -> Numeric:
+    return kind.of(known(known(crank.rod).mass)) * crank.pin_acceleration(kind)
+
+
+def _rod_moment(crank: Crank, kind: Kind) -> Numeric:
+    return kind.of(known(crank.radius)) * _rod_newtons(crank, kind)
+
+
+def _rod_couple(crank: Crank, kind: Kind) -> Numeric:
+    return kind.of(known(crank.rod_length)) * _rod_newtons(crank, kind)
+
+
+def _rod_millimetres(crank: Crank, kind: Kind) -> Numeric:
+    return kind.of(1000 * known(crank.rod_length))
 
 
 _MEASURES: Mapping[str, Measure] = {
-    "R": Measure("mm", 2, Crank.millimetres, Needs.LENGTH),
-    "v": Measure("m/s", 3, Crank.pin_velocity, Needs.SPEED),
-    "v²/R": Measure("m/s²", 2, Crank.pin_acceleration, Needs.SPEED),
-    "ω": Measure("rad/s", 3, angular_velocity, Needs.SPEED),
-    "ω²": Measure("rad/s²", 3, angular_square, Needs.SPEED),
+    "R": Measure("mm", 2, Crank.millimetres, (Needs.LENGTH,)),
+    "L": Measure("mm", 2, _rod_millimetres, (Needs.LENGTH, Needs.FINITE)),
+    "v": Measure("m/s", 3, Crank.pin_velocity, (Needs.SPEED,)),
+    "v²/R": Measure("m/s²", 2, Crank.pin_acceleration, (Needs.SPEED,)),
+    "R ω²": Measure("m/s²", 2, Crank.pin_acceleration, (Needs.SPEED,)),
+    "ω": Measure("rad/s", 3, angular_velocity, (Needs.SPEED,)),
+    "ω²": Measure("rad/s²", 3, angular_square, (Needs.SPEED,)),
+    "M R ω²": Measure("N", 1, _rod_newtons, (Needs.INERTIA,)),
+    "M R² ω²": Measure("N m", 1, _rod_moment, (Needs.INERTIA,)),
+    "M R L ω²": Measure("N m", 1, _rod_couple, (Needs.INERTIA, Needs.FINITE)),
 }
+_IN_KEYS = str.maketrans({"/": "p", "²": "2", " ": "", "N": "n"})
+
+
+def measure_of(unit: Label) -> Measure:
+    """Return what is made of a unit of the drive's own."""
+    return _MEASURES[unit.strip("$").replace("^2", "²")]
 
 
 def measured(share: Quantity) -> Quantity:
-    """Return a quantity in the unit that the crank makes of its own: x_mm of x."""
-    own = _MEASURES[share.unit["en"].strip("$").replace("^2", "²")]
+    """Return a quantity in the unit that the crank makes of its own: x_mm of x.
+
+    Its head says the unit, or, where that is the part, what stands above.
+    """
+    own = measure_of(share.unit["en"])
+    said, parted = words(f"{share.symbol} in {own.unit}"), share.heading is share.part
     return share._replace(
-        key=f"{share.key}_{own.unit.replace('/', 'p').replace('²', '2')}",
+        key=f"{share.key}_{own.unit.translate(_IN_KEYS)}",
         unit=words(own.unit),
-        heading=words(f"{share.symbol} in {own.unit}"),
+        heading=share.heading if parted else said,
+        spanners=(share.name, said) if parted else share.spanners,
         decimals=own.decimals,
         scale=own.scale,
-        needs=(own.need,),
+        # With the mass of the rod the rest of it is known.
+        needs=(*own.needs, *(one for one in share.needs if one is not Needs.ROD)),
         names=(),
         rises=False,
     )

@@ -9,18 +9,17 @@ from operator import methodcaller
 from typing import NamedTuple
 
 from kurbel.drive.at import At, known
-from kurbel.drive.crank import Crank
-from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.kernel.rod import LoadedCrank, magnitude
-from kurbel.motion.entries import OF_ROD
+from kurbel.motion.entries import OF_ROD, Measure, measure_of, measured
 from kurbel.motion.evaluation import OFFSET, ROD_MODELS, Needs
 from kurbel.motion.rod_accelerations import acceleration_entries
-from kurbel.motion.rod_forces import held, mollier_entries, part_entries
+from kurbel.motion.rod_forces import TORQUE, UNIT, held, mollier_entries, part_entries
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
+COUPLE = "M R L ω^2"
 # Of a loaded drive; others than the slide's know the same forces by these names.
 RodFormula = Callable[[LoadedCrank], Numeric]
 Coefficients = Callable[[Masses[Fraction], bool], Sequence[Fraction | int]]
@@ -42,19 +41,12 @@ class RodForce(NamedTuple):
     smooth: RodFormula
     coefficients: Coefficients
     changes: Coefficients
-    is_torque: bool = False
-    is_couple: bool = False
+    unit: Label = UNIT
 
     @property
-    def unit(self) -> Label:
-        return "M R^2 ω^2" if self.is_torque else "M R L ω^2" if self.is_couple else "M R ω^2"
-
-    def scale(self, crank: Crank, numbers: Kind) -> Numeric:
-        """M R ω² in newtons, or M R² ω² or M R L ω² in newton metres."""
-        arm = known(crank.radius) if self.is_torque else Fraction(1)
-        if self.is_couple:
-            arm = known(crank.rod_length)
-        return numbers.of(known(known(crank.rod).mass) * arm) * crank.pin_acceleration(numbers)
+    def measure(self) -> Measure:
+        """What the rod's mass makes of the unit."""
+        return measure_of(self.unit)
 
 
 def _pin_square(loaded: LoadedCrank) -> Numeric:
@@ -99,9 +91,7 @@ ROD_FORCES: Mapping[str, RodForce] = {
             _BOTH,
             _CHANGES,
         ),
-        _force("torque", "M_d", "Drehmoment|Torque", methodcaller("torque"), _TORQUE)._replace(
-            is_torque=True
-        ),
+        _force("torque", "M_d", "Drehmoment|Torque", methodcaller("torque"), _TORQUE)._replace(unit=TORQUE),
     )
 }
 
@@ -114,7 +104,7 @@ def _couple(loaded: LoadedCrank) -> Numeric:
 
 # The couples of the rod's inertia. They have no share in pages of errors.
 ROD_COUPLES: Mapping[str, RodForce] = {
-    key: _force(key, letter, name, formula, _GUIDE)._replace(is_couple=True)
+    key: _force(key, letter, name, formula, _GUIDE)._replace(unit=COUPLE)
     for key, letter, name, formula in (
         ("couple", "M_J", "Trägheitspaar der Stange|Inertia couple of the rod", _couple),
         (
@@ -146,15 +136,9 @@ def _resultant_entries() -> Iterator[Quantity]:
         "$h$ vom Schwerpunkt der Stange zur Linie ihrer Massenkraft"
         "|$h$ from the rod's centre of mass to the line of its inertia force"
     ))  # fmt: skip
-    yield arm
-    yield arm._replace(
-        key="inertia_arm_mm", unit=words("mm"), decimals=2, scale=_rod_millimetres,
-        needs=(Needs.ARM, Needs.LENGTH, Needs.FINITE), spanners=(name, words("$h$ in mm")),
-    )  # fmt: skip
-
-
-def _rod_millimetres(crank: Crank, numbers: Kind) -> Numeric:
-    return numbers.of(1000 * known(crank.rod_length))
+    # No longer arm than that of a rod that has a length.
+    sized = measured(arm)
+    yield from (arm, sized._replace(needs=(*arm.needs, Needs.LENGTH, Needs.FINITE)))
 
 
 @cache
@@ -185,15 +169,9 @@ def _entries(force: RodForce, model: str, kernel: Callable[[At], Numeric]) -> It
     """Yield the force by a model in units of the rod's mass, and in newtons."""
     key = f"inertia_{force.key}" + ("" if model == "exact" else f"_{model.replace('-', '_')}")
     share = _entry(key, force.letter, force.name, force.unit, model, kernel)
-    if force.is_couple:
+    if force.unit == COUPLE:
         share = share._replace(direction=OF_ROD)
-    yield share
-    unit = "N m" if force.is_torque or force.is_couple else "N"
-    yield share._replace(
-        key=f"{key}_{unit.replace(' ', '').lower()}", unit=words(unit), decimals=1, scale=force.scale,
-        spanners=(force.name, words(f"${force.letter}$ in {unit}")),
-        needs=(Needs.INERTIA, Needs.FINITE) if force.is_couple else (Needs.INERTIA,),
-    )  # fmt: skip
+    yield from (share, measured(share))
 
 
 def _entry(

@@ -56,7 +56,7 @@ def _itself(peak: Peak, whole: Peak, numbers: Kind) -> Numeric:
 
 
 def _in_newtons(peak: Peak, whole: Peak, numbers: Kind) -> Numeric:
-    return peak.on(numbers) * peak.force.scale(peak.crank, numbers)
+    return peak.on(numbers) * peak.force.measure.scale(peak.crank, numbers)
 
 
 def _in_percent(peak: Peak, whole: Peak, numbers: Kind) -> Numeric:
@@ -254,7 +254,7 @@ def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -
             return nearest(100 * share, decimals, rounding)
     kernel, unit = quantity.formulas[EXACT].kernel, Fraction(1)
     if quantity.needs:
-        unit = question.of_page("N m" if peak.force.is_torque or peak.force.is_couple else "N")
+        unit = question.of_page(peak.force.measure.unit)
     return Number(
         settled(lambda kind: kind.of(unit) * kernel(peak, whole, kind), decimals, rounding), decimals
     )

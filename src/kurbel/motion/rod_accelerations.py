@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.drive.at import At
-from kurbel.drive.crank import Crank
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.kernel.parts import AccelerationParts, parted
 from kurbel.kernel.rod import LoadedCrank, Vector
+from kurbel.motion.entries import measured
 from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
@@ -107,7 +107,7 @@ def _moving(at: At) -> LoadedCrank:
 def acceleration_entries() -> Iterator[Quantity]:
     """Yield the accelerations in R ω² and in m/s², those that other pages have had first."""
     own = [_part(one) for one in PARTS]
-    yield from (*own, *component_entries(moved), *map(in_seconds, own))
+    yield from (*own, *component_entries(moved), *map(measured, own))
 
 
 def component_entries(parted_of: Callable[[At], AccelerationParts]) -> Iterator[Quantity]:
@@ -115,7 +115,7 @@ def component_entries(parted_of: Callable[[At], AccelerationParts]) -> Iterator[
     for key, letter, name, printed, components in _OTHERS:
         for component in components:
             share = _component(key, letter, name, printed, component, parted_of)
-            yield from (share, in_seconds(share))
+            yield from (share, measured(share))
 
 
 def rocker_entries(parted_of: Callable[[At], AccelerationParts]) -> Iterator[Quantity]:
@@ -124,7 +124,7 @@ def rocker_entries(parted_of: Callable[[At], AccelerationParts]) -> Iterator[Qua
     for part in PARTS[1:]:
         formulas = {"exact": Formula(_of_rod(part.key, parted_of))}
         share = entry_of_rod(f"{part.key}_acceleration", part.letter, part.name, EXACT, formulas)
-        yield from (share, in_seconds(share))
+        yield from (share, measured(share))
 
 
 def _of_rod(key: str, parted_of: Callable[[At], AccelerationParts]) -> Callable[[At], Numeric]:
@@ -155,19 +155,6 @@ def _component(
 
     formulas = dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel, printed if not one.end else ""))
     return entry_of_rod(f"{key}{one.end}", f"{letter}{one.mark}", name, one.part, formulas)
-
-
-def in_seconds(share: Quantity) -> Quantity:
-    """Return an acceleration in m/s² from that in R ω²."""
-    letter = share.symbol
-    return share._replace(
-        key=f"{share.key}_mps2",
-        unit=words("m/s²"),
-        decimals=2,
-        scale=Crank.pin_acceleration,
-        spanners=(share.name, words(f"{letter} in m/s²")),
-        needs=(Needs.SPEED,),
-    )
 
 
 def entry_of_rod(

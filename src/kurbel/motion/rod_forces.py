@@ -11,10 +11,10 @@ from typing import NamedTuple
 from kurbel.drive.at import At, known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.parts import AccelerationParts, moving_force, parted
 from kurbel.kernel.rod import LoadedCrank, Parts, Vector
+from kurbel.motion.entries import measured
 from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.motion.rod_accelerations import ACROSS, ALONG, entry_of_rod
 from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, words
@@ -200,24 +200,5 @@ def _entry(share: Share, kernel: Callable[[At], Numeric], model: str) -> Quantit
 
 
 def _in_both_units(share: Quantity, *needs: Need) -> Iterator[Quantity]:
-    yield share._replace(needs=(Needs.ROD, *needs))
-    torque = share.unit["en"] == TORQUE.replace("^2", "²")
-    unit = "N m" if torque else "N"
-    yield share._replace(
-        key=f"{share.key}_{unit.replace(' ', '').lower()}",
-        unit=words(unit),
-        decimals=1,
-        scale=_newton_metres if torque else _newtons,
-        spanners=(share.name, words(f"{share.symbol} in {unit}")),
-        needs=(Needs.INERTIA, *needs),
-    )
-
-
-def _newtons(crank: Crank, numbers: Kind) -> Numeric:
-    """M R ω²."""
-    return numbers.of(known(known(crank.rod).mass)) * crank.pin_acceleration(numbers)
-
-
-def _newton_metres(crank: Crank, numbers: Kind) -> Numeric:
-    """M R² ω²."""
-    return numbers.of(known(crank.radius)) * _newtons(crank, numbers)
+    own = share._replace(needs=(Needs.ROD, *needs))
+    yield from (own, measured(own))
