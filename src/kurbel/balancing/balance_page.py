@@ -35,7 +35,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
-from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, texts, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, Words, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import BOTH, amount, unit_of_page
@@ -57,7 +57,7 @@ ENGINES: Mapping[str, tuple[str, str]] = {
     "boxer-2": ("Zweizylinder-Boxermotor", "flat twin"),
     "boxer-4": ("Vierzylinder-Boxermotor", "flat four"),
 }
-WORDS = texts("balancing")["balance"]
+WORDS = Texts("balancing", "balance")
 
 
 DEFAULT_ENGINE = "inline-4"

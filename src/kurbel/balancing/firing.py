@@ -24,7 +24,7 @@ from kurbel.balancing.balance_page import angle_notes, arranged, engine_label, l
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, angle_text
-from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, texts
+from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field, Value
 from kurbel.reading.notation import about
@@ -211,7 +211,7 @@ def _text(order: Order) -> str:
     return Firing(order, (), 0).text
 
 
-WORDS = texts("balancing")["firing"]
+WORDS = Texts("balancing", "firing")
 
 
 class FiringCylinder(NamedTuple):

@@ -24,7 +24,7 @@ from kurbel.exact.numerals import Label, Number, figure
 from kurbel.exact.real import PI, Real
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
@@ -241,7 +241,7 @@ def quantities() -> Mapping[str, Quantity]:
     }  # fmt: skip
 
 
-WORDS = texts("balancing")["locomotive"]
+WORDS = Texts("balancing", "locomotive")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

@@ -15,7 +15,7 @@ from kurbel.exact.numerals import Label, Number, given
 from kurbel.exact.real import Real
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
@@ -27,7 +27,7 @@ ANGLE_DECIMALS = 2
 _PLANES = Need(lambda question: not question.planar, ("--planes",))
 _SPEED = Need(lambda question: question.speed is not None, ("--speed",))
 _COUPLES = ("couple", "second_couple", "left_couple")
-WORDS = texts("balancing")["rotor"]
+WORDS = Texts("balancing", "rotor")
 
 
 class At(NamedTuple):

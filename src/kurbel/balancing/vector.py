@@ -31,7 +31,7 @@ from kurbel.exact.real import ESTIMATE_BITS, PI, Real
 from kurbel.kernel.circle import Numeric, root
 from kurbel.kernel.harmonics import Star
 from kurbel.motion.notes import moving_notes, turns_label
-from kurbel.page.quantity import texts
+from kurbel.page.quantity import Texts
 from kurbel.reading.amounts import Units, amount, digits, unit_of_page
 from kurbel.reading.notation import check_bounds
 from kurbel.reading.units import Speed
@@ -171,7 +171,7 @@ def pin_acceleration(crank: Crank) -> Real:
 
 
 IN_NEWTONS = "_n"
-WORDS = texts("balancing")["vector"]
+WORDS = Texts("balancing", "vector")
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,13 +18,13 @@ from kurbel.commands.parts.effort import PRESSING, Effort, PinFriction
 from kurbel.commands.parts.masses import each, place_on_rod
 from kurbel.commands.recomputed import Row, nearest
 from kurbel.drive.crank import DescribedDrive, radii
-from kurbel.drive.rod import STANDARD_GRAVITY
 from kurbel.drive.rod_file import rod_sections
 from kurbel.engine.card.card import AngleCard
 from kurbel.engine.card.file import read_card
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import mechanism
 from kurbel.page.layouts import Layout, layout
+from kurbel.reading.amounts import STANDARD_GRAVITY
 from kurbel.reading.given import (
     as_angular_acceleration,
     as_expansions,

@@ -22,13 +22,12 @@ from kurbel.conditions.solve import MEASURES, TORQUE, read_on, target_of
 from kurbel.conditions.solve_page import SolveRequest, condition_label
 from kurbel.conditions.unknown import UNKNOWNS, WORDS, Polynomial, of_ratio
 from kurbel.drive.at import At
-from kurbel.drive.load import figure
 from kurbel.engine.engine_quantities import value
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.course import Target
 from kurbel.exact.kind import FoundAngle, balls
-from kurbel.exact.numerals import exact_text, figures, nearest
+from kurbel.exact.numerals import exact_text, figure, figures, nearest
 from kurbel.exact.place import fraction
 from kurbel.motion.evaluation import kernel_of
 from kurbel.motion.evaluation import value as at

@@ -46,7 +46,7 @@ from kurbel.exact.place import fraction
 from kurbel.exact.search import EQUAL_BITS, Jet, jet_of
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import ColumnAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, filled, texts
+from kurbel.page.quantity import Column, Texts, filled
 from kurbel.page.subject import Subject
 from kurbel.page.table import Note
 from kurbel.reading import units
@@ -205,7 +205,7 @@ def _energy(segment: Segment, half_turns: arb) -> Jet:
 
 
 KEPT = 64
-WORDS = texts("conditions")["loaded"]
+WORDS = Texts("conditions", "loaded")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

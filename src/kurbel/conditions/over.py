@@ -24,12 +24,12 @@ from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import force_notes, loaded_notes
 from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis, angle_decimals, angle_number
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Quantity, bare, enumerated, filled, for_ratio, texts, words
+from kurbel.page.quantity import Column, Quantity, Texts, bare, enumerated, filled, for_ratio, words
 from kurbel.page.subject import Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.notation import about
 
-WORDS = texts("conditions")["over"]
+WORDS = Texts("conditions", "over")
 # The angle at a path by the triangle of crank, rod and slide; of the return stroke it is the outer angle.
 _TRIANGLE = {
     "+": "$cos {angle} = (R^2 + y^2 - L^2)/(2 R y)$, $y = R + L - x$",

@@ -22,6 +22,7 @@ from kurbel.motion.evaluation import OUT, RETURN, Needs
 from kurbel.motion.mechanism import mechanism
 from kurbel.reading import units
 from kurbel.reading.amounts import UNITS
+from kurbel.reading.given import SHARE
 from kurbel.reading.names import otherwise
 from kurbel.reading.where import (
     DEAD_CENTRE,
@@ -32,7 +33,6 @@ from kurbel.reading.where import (
     MIN,
     MOST,
     OF_SLIDES,
-    SHARE,
     VALUE,
     Condition,
     read_condition,

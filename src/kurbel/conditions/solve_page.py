@@ -28,8 +28,9 @@ from kurbel.page.quantity import AND, Column, Quantity, Words, bare, words
 from kurbel.page.subject import Question, Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
+from kurbel.reading.given import SHARE
 from kurbel.reading.notation import ratio_text
-from kurbel.reading.where import ANGLES, DEAD_CENTRE, EXTREMES, LEANING, MAX, MIN, MOST, SHARE, Condition
+from kurbel.reading.where import ANGLES, DEAD_CENTRE, EXTREMES, LEANING, MAX, MIN, MOST, Condition
 
 # Of m/s².
 _SQUARE = r'(?:²|\^2|\*\*2)"$'

@@ -34,7 +34,7 @@ from kurbel.page.axes import (
     angle_text,
     method_of,
 )
-from kurbel.page.quantity import Column, Formula, Quantity, Words, texts, words
+from kurbel.page.quantity import Column, Formula, Quantity, Texts, Words, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 
@@ -192,7 +192,7 @@ def of_ratio(
 
 
 NEAR_BITS = 120
-WORDS = texts("conditions")["unknown"]
+WORDS = Texts("conditions", "unknown")
 
 # What stands for an unknown in a German sentence, where it is not "die".
 _WHICH = {"pressure": "den", "stroke": "den", "ratio": "das"}

@@ -23,10 +23,10 @@ from kurbel.kernel.forces import net_torque as pin_torque
 from kurbel.kernel.moving import Accelerations, Masses, with_crank
 from kurbel.kernel.rod import LoadedCrank
 from kurbel.reading.given import as_angular_acceleration
-from kurbel.reading.units import Speed
 
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
+    from kurbel.reading.units import Speed
 
 
 Part = TypeVar("Part")

@@ -6,20 +6,22 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import asin, degrees
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.at import At, acceleration_of, known
-from kurbel.drive.load import Effort, PistonForce, read_force
 from kurbel.drive.moved import DeadCentres, Moved, moved
-from kurbel.drive.rod import MovingMasses, Rod
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Numeric
-from kurbel.reading import units
 from kurbel.reading.given import as_fraction, as_length, as_number, as_ratios, as_share, as_speed
 from kurbel.reading.notation import Progression, about, check_bounds, ratio_text
-from kurbel.reading.units import Speed
+
+if TYPE_CHECKING:
+    from kurbel.drive.effort import Effort
+    from kurbel.drive.load import PistonForce
+    from kurbel.drive.rod import MovingMasses, Rod
+    from kurbel.reading.units import Speed
 
 LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
@@ -260,8 +262,11 @@ class DescribedDrive(NamedTuple):
     def of(cls, given: Mapping[str, object]) -> DescribedDrive:
         """Return what is given by the names of options. Raises KurbelError."""
         known = {name: given[name] for name in cls._fields if name in given}
-        force, method = known.pop("force", None), known.pop("method", None)
-        read = None if force is None else read_force(force)
+        force, method, read = known.pop("force", None), known.pop("method", None), None
+        if force is not None:
+            from kurbel.drive.load import read_force
+
+            read = read_force(force)
         return cls(**known, method=method if isinstance(method, str) else None, force=read)
 
     def ratios(self, default: Sequence[str]) -> tuple[Fraction, ...]:
@@ -313,6 +318,8 @@ class DescribedDrive(NamedTuple):
             return Fraction(0)
         if not isinstance(value, str):
             return as_fraction(value)
+        from kurbel.reading import units
+
         share = value.strip().removesuffix("R")
         if not units.is_measure(share):
             return as_share(share, "offset")
@@ -329,6 +336,8 @@ def radii(value: object, what: str, radius: Fraction | None) -> Fraction:
     """Return a length of a drive in units of R, which is so many metres if it is known: 6, 6R, 900mm."""
     if not isinstance(value, str):
         return as_fraction(value)
+    from kurbel.reading import units
+
     share = value.strip().removesuffix("R")
     if not units.is_measure(share):
         return as_number(share, what)

@@ -14,10 +14,9 @@ from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Numeric, Same
 from kurbel.kernel.forces import Weight
 from kurbel.kernel.moving import Masses, joined, rod_masses, two_masses
+from kurbel.reading.amounts import STANDARD_GRAVITY
 from kurbel.reading.notation import about, check_bounds
 
-# By definition, of the third general conference on weights and measures, in m/s².
-STANDARD_GRAVITY = Fraction(980665, 100000)
 VERTICAL = Fraction(90)
 STEEPEST = 180
 GREATEST_GRAVITY = 1000

@@ -21,11 +21,11 @@ from kurbel.page.axes import (
     angle_text,
 )
 from kurbel.page.labels import unprompted
-from kurbel.page.quantity import AND, FOR, filled, texts, words
+from kurbel.page.quantity import AND, FOR, Texts, filled, words
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import plain, ratio_text
 
-CYLINDERS = texts("engine")["cylinders"]
+CYLINDERS = Texts("engine", "cylinders")
 
 PLAIN_CAPTION = words("{quantities} {machine}{for_engine}; {method}")
 # What is of the speed under a given flywheel.

@@ -20,7 +20,7 @@ from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
 from kurbel.motion.evaluation import Method
 from kurbel.motion.motion_quantities import FORCES, Force
-from kurbel.page.quantity import Formula, Need, Quantity, Words, entry, texts, words
+from kurbel.page.quantity import Formula, Need, Quantity, Texts, Words, entry, words
 
 _IDEAL = "an ideal card, with an expansion ratio"
 
@@ -246,7 +246,7 @@ _FLYWHEEL: tuple[tuple[str, str, str, str, int | None, Callable[..., Numeric], *
 
 
 # Of forces, in the order in which pages say them.
-DIRECTIONS = texts("engine")["directions"]
+DIRECTIONS = Texts("engine", "directions")
 AT_CRANK = Force("Stangenkraft an der Kurbel|Rod force at the crank", "S_A", "")
 
 

@@ -19,13 +19,13 @@ from kurbel.engine.loads.words import engine_lines
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, exact_text, number_text
 from kurbel.motion.notes import turns_label
-from kurbel.page.quantity import AND, Quantity, enumerated_letters, texts, words
+from kurbel.page.quantity import AND, Quantity, Texts, enumerated_letters, words
 from kurbel.page.table import Note
 from kurbel.reading.amounts import amount
 
-ENGINE = texts("engine")["engine"]
-SIGNS = texts("engine")["signs"]
-SUPPLIED = texts("engine")["supplied"]
+ENGINE = Texts("engine", "engine")
+SIGNS = Texts("engine", "signs")
+SUPPLIED = Texts("engine", "supplied")
 
 # The mark of the two extremes that make δ.
 MAKES_DELTA = "a"

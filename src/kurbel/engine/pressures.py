@@ -18,7 +18,6 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank, check_angles
-from kurbel.drive.load import figure
 from kurbel.drive.moved import Drive, Moved
 from kurbel.engine.captions import SingleCylinder, within
 from kurbel.engine.card.card import Diagram
@@ -28,18 +27,18 @@ from kurbel.engine.turn import angle_at, turn_of
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, half_turn_circle
 from kurbel.exact.kind import Kind, balls, floats, settled
-from kurbel.exact.numerals import Label, Number, nearest
+from kurbel.exact.numerals import Label, Number, figure, nearest
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.notes import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, filled, for_ratio, texts
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry, filled, for_ratio
 from kurbel.page.subject import OVER_AXES, Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import check_bounds
 
-PRESSED = texts("engine")["pressed"]
+PRESSED = Texts("engine", "pressed")
 
 PASCALS = 10**5
 OVER_STROKE, OVER_ANGLE = "pressures", "pressures over the angle"

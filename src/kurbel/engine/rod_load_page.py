@@ -30,7 +30,7 @@ from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, filled, texts
+from kurbel.page.quantity import Column, Texts, filled
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
 
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from kurbel.engine.card.force import CardTurn
     from kurbel.engine.rod_load_card import CardRodLoad
 
-ROD_LOAD = texts("engine")["rod_load"]
+ROD_LOAD = Texts("engine", "rod_load")
 
 
 KEPT_LOADS = 96

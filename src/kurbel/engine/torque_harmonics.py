@@ -38,7 +38,7 @@ from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Star
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note, Value
 from kurbel.reading.notation import plain
@@ -47,7 +47,7 @@ from kurbel.reading.units import Speed
 if TYPE_CHECKING:
     from kurbel.engine.card.force import CardTurn
 
-HARMONICS = texts("engine")["harmonics"]
+HARMONICS = Texts("engine", "harmonics")
 
 
 # Steps of orders beside one at which the cards' differences are looked at: one alone may vanish by chance.

@@ -15,6 +15,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from functools import cache, partial
+from importlib.util import cache_from_source
 from typing import TYPE_CHECKING, BinaryIO, TypeAlias
 
 from kurbel.errors import ChoiceError, OutputError
@@ -28,7 +29,7 @@ from kurbel.page.table import Table
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from jinja2 import Environment
+    from jinja2 import BytecodeCache, Environment
 
     from kurbel.formats.writer import Place
 
@@ -189,10 +190,28 @@ def environment_of(form: PageFormat | RecordsFormat, folders: Folders) -> Enviro
         lstrip_blocks=True,
         keep_trailing_newline=True,
         auto_reload=bool(folders),
+        bytecode_cache=None if folders else _compiled(),
         **form.writer.delimiters,
     )
     environment.filters.update(blank=blank, **form.writer.filters())
     return environment
+
+
+@cache
+def _compiled() -> BytecodeCache:
+    """Return what keeps our templates compiled as Python keeps its modules: in __pycache__ beside them, or
+    where PYTHONPYCACHEPREFIX says; not where PYTHONDONTWRITEBYTECODE forbids it, nor in a closed folder."""
+    from jinja2.bccache import Bucket, FileSystemBytecodeCache
+
+    class Compiled(FileSystemBytecodeCache):
+        def dump_bytecode(self, bucket: Bucket) -> None:
+            if sys.dont_write_bytecode:
+                return
+            with suppress(OSError):
+                os.makedirs(self.directory, exist_ok=True)
+                super().dump_bytecode(bucket)
+
+    return Compiled(os.path.dirname(cache_from_source(f"{template_folder()}/templates.py")))
 
 
 @contextmanager

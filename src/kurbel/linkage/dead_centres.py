@@ -9,10 +9,9 @@ from typing import Any
 
 from kurbel.drive.at import turn_time
 from kurbel.drive.crank import Crank, DescribedDrive
-from kurbel.drive.load import figure
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Label, Number, figure
 from kurbel.kernel.circle import Numeric
 from kurbel.linkage.linkage import Linkage
 from kurbel.motion.evaluation import Needs
@@ -20,7 +19,7 @@ from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.notes import size_notes, turns_label
 from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, Place
-from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, filled, texts, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, Words, entry, filled, words
 from kurbel.page.subject import Subject
 from kurbel.reading.given import as_speed
 
@@ -36,7 +35,7 @@ NAMES: Mapping[str, Words] = {
 # What of these swings.
 SWINGING = ("arc", "beam", "slotted")
 ROCKER = Need(lambda mechanism: mechanism in SWINGING)
-WORDS = texts("linkage")["dead_centres"]
+WORDS = Texts("linkage", "dead_centres")
 
 
 def drives_of(chosen: Mechanism, said: DescribedDrive, ratios: Sequence[str]) -> tuple[Linkage | Crank, ...]:

@@ -12,11 +12,11 @@ from typing import Any, ClassVar, NamedTuple
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
-from kurbel.drive.load import FORCE, figure
+from kurbel.drive.load import FORCE
 from kurbel.drive.mechanisms import LINKAGES, MECHANISMS
 from kurbel.drive.moved import DeadCentres
 from kurbel.exact.kind import Kind
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Label, Number, figure
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion import motion_quantities

@@ -43,7 +43,7 @@ from kurbel.motion.entries import spanned
 from kurbel.motion.evaluation import value
 from kurbel.motion.motion_quantities import Force
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis
-from kurbel.page.quantity import AND, Column, Formula, Quantity, filled, texts, words
+from kurbel.page.quantity import AND, Column, Formula, Quantity, Texts, filled, words
 from kurbel.page.subject import OVER_AXES
 from kurbel.page.table import Field
 from kurbel.reading.given import as_number, as_places
@@ -195,7 +195,7 @@ MOST_AXLES = 12
 COUPLING = ("coupling_force", "coupling_force_n")
 SHARED = ("tangential_force", "tangential_force_n", "radial_force", "radial_force_n", "torque", "torque_nm")
 AXLE = words("Achse|Axle")
-WORDS = texts("linkage")["parallel"]
+WORDS = Texts("linkage", "parallel")
 
 
 @dataclass(frozen=True, slots=True)

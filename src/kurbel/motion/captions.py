@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from kurbel.drive.at import gain
 from kurbel.drive.crank import Crank
-from kurbel.drive.load import figure
-from kurbel.exact.numerals import Label
+from kurbel.exact.numerals import Label, figure
 from kurbel.kernel.series import slope_term, terms_of, versine_term
 from kurbel.motion.evaluation import (
     DIFFERENCE,
@@ -24,7 +23,7 @@ from kurbel.motion.evaluation import (
 )
 from kurbel.motion.notes import digits_text, drive_notes, force_notes, loaded_notes
 from kurbel.page.layouts import Layout
-from kurbel.page.quantity import AND, Column, Quantity, enumerated, filled, for_ratio, texts
+from kurbel.page.quantity import AND, Column, Quantity, Texts, enumerated, filled, for_ratio
 
 if TYPE_CHECKING:
     from kurbel.motion.motion_page import AngleQuestion, Request
@@ -53,7 +52,7 @@ SYMBOLS = {
 _SIGNED = ("{±}", "{sign}", "{turned}", "{ψ}", "{guide}", "{slant}")
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
-WORDS = texts("motion")["captions"]
+WORDS = Texts("motion", "captions")
 
 
 def caption(question: Request, chosen: bool | None = None) -> Label:

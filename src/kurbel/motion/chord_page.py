@@ -26,7 +26,7 @@ from kurbel.motion.motion_page import MOTION, Digits, Request
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, texts
+from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled, for_ratio
 
 # Of a first guess, which exact digits put right, and so many of them are sure.
 _BITS, _SURE_BITS = 128, 40
@@ -86,7 +86,7 @@ MOST_STEPS = 9
 DECIMALS = 6
 EXACT, COUNT = "gf", "gf_steps"
 FORMULA = "$overline(G F)_(k+1) = overline(C F)^2/(2 L - overline(G F)_k)$"
-WORDS = texts("motion")["chord"]
+WORDS = Texts("motion", "chord")
 _NAME = "GF nach {0} Schritten|GF after {0} steps"
 
 

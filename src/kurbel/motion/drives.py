@@ -33,8 +33,8 @@ from kurbel.motion.evaluation import LOADED, OUT, Needs, certified, is_known, is
 from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import drive_notes
 from kurbel.page.quantity import Column, Formula, Quantity, multiplied, words
+from kurbel.reading.given import SHARE
 from kurbel.reading.notation import ratio_text
-from kurbel.reading.where import SHARE
 
 ONE = Fraction(1)
 

@@ -26,11 +26,11 @@ from kurbel.page.quantity import (
     Column,
     Formula,
     Quantity,
+    Texts,
     bare,
     entry,
     enumerated_letters,
     for_ratio,
-    texts,
 )
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
@@ -47,7 +47,7 @@ SAME = ("X", "P", "A_2", "A_5", "A_x", "A", "B_2", "B_x", "B", "H")
 OPPOSITE = ("N", "Y", "M_d", "A_4", "A_y", "B_4", "B_y")
 # Of what is in no unit of its own.
 UNITS = "M R ω², M R² ω²"
-WORDS = texts("motion")["inertia"]
+WORDS = Texts("motion", "inertia")
 
 
 # A kernel call takes the peak of a force or of an error, that of the exact force, and a kind of number.

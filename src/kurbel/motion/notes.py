@@ -5,20 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import isqrt
+from typing import TYPE_CHECKING
 
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
-from kurbel.drive.load import Areas, Effort, figure
-from kurbel.drive.rod import STANDARD_GRAVITY, MovingMasses, Rod, Slope
 from kurbel.exact.kind import Kind, settled
-from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
+from kurbel.exact.numerals import Label, Number, figure, finite_decimals, nearest, number_text
 from kurbel.kernel.circle import Numeric, root
-from kurbel.page.quantity import Words, texts
-from kurbel.reading.amounts import amount, unit_of_page
+from kurbel.page.quantity import Texts, Words
+from kurbel.reading.amounts import STANDARD_GRAVITY, amount, unit_of_page
 from kurbel.reading.notation import ratio_text
-from kurbel.reading.units import Speed
 
-WORDS = texts("motion")["notes"]
+if TYPE_CHECKING:
+    from kurbel.drive.effort import Areas, Effort
+    from kurbel.drive.rod import MovingMasses, Rod, Slope
+    from kurbel.reading.units import Speed
+
+WORDS = Texts("motion", "notes")
 
 
 def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
@@ -172,7 +175,7 @@ def _root(square: Fraction) -> str:
     return figure(found) if found * found == square and finite_decimals(found) is not None else ""
 
 
-ACTING = texts("motion")["acting"]
+ACTING = Texts("motion", "acting")
 
 
 def weight_notes(moving: MovingMasses, lang: str) -> Iterator[Label]:

@@ -35,13 +35,13 @@ from kurbel.motion.point_quantities import (
 from kurbel.motion.points import RodPoint, decimals_of, with_points
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
-from kurbel.page.quantity import Column, Quantity, bare, enumerated, filled, for_ratio, texts, words
+from kurbel.page.quantity import Column, Quantity, Texts, bare, enumerated, filled, for_ratio, words
 from kurbel.page.steps import Scene
 from kurbel.page.subject import Subject
 from kurbel.page.subject import subject as registered
 from kurbel.page.table import Field
 
-WORDS = texts("motion")["points"]
+WORDS = Texts("motion", "points")
 
 
 def caption(question: PointsRequest) -> Label:

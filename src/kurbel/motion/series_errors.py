@@ -33,7 +33,7 @@ from kurbel.motion.entries import in_units
 from kurbel.motion.motion_page import CrankQuestion
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, texts, words
+from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled, for_ratio, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
@@ -93,7 +93,7 @@ class Greatest:
 
 ORDERS = (1, 3, 5, 7, 9)
 DEGREE_DECIMALS = 4
-WORDS = texts("motion")["series_errors"]
+WORDS = Texts("motion", "series_errors")
 
 
 class ErringQuantity(NamedTuple):

@@ -1,7 +1,7 @@
 """What a page can show: one kind of entry, whatever the page is about."""
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -22,17 +22,36 @@ def words(text: str) -> Words:
     return {"de": de, "en": en or de}
 
 
-@cache
-def texts(package: str) -> Mapping[str, Mapping[str, Words]]:
-    """Return what pages of a package such as "engine.loads" say: its texts.toml, by section and key.
+class Texts(Mapping[str, Words]):
+    """What pages of a package such as "engine.loads" say: a section of its texts.toml, by key; read when the
+    first of them is said.
 
     A text is `key.de` and `key.en` there, or `key` alone if it is the same in both languages.
     """
+
+    def __init__(self, package: str, section: str) -> None:
+        self._package, self._section = package, section
+
+    def __getitem__(self, key: str) -> Words:
+        return _in_both(self._texts[key])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._texts)
+
+    def __len__(self) -> int:
+        return len(self._texts)
+
+    @property
+    def _texts(self) -> Mapping[str, Words | str]:
+        return _read(self._package)[self._section]
+
+
+@cache
+def _read(package: str) -> Mapping[str, Mapping[str, Words | str]]:
     import tomllib
 
     with open(os.path.join(_HERE, *package.split("."), "texts.toml"), "rb") as stream:
-        found = tomllib.load(stream)
-    return {name: {key: _in_both(text) for key, text in one.items()} for name, one in found.items()}
+        return tomllib.load(stream)
 
 
 def _in_both(text: Words | str) -> Words:

@@ -28,7 +28,7 @@ from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import OUT, STROKES, method_named
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import AngleQuestion
-from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, texts, words
+from kurbel.page.quantity import Column, Quantity, Texts, enumerated, filled, for_ratio, words
 from kurbel.plot.curves import drive_label, infinite, ratio_label, spots, unfolded, zeros
 from kurbel.plot.drawings import DrawingWish, Picture, asked_of, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.engine import around, course_of, lettered, turns_of
@@ -54,7 +54,7 @@ from kurbel.plot.panel import (
 if TYPE_CHECKING:
     from kurbel.engine.cylinder import AnyTurn
 
-PRESSED = texts("engine")["pressed"]
+PRESSED = Texts("engine", "pressed")
 
 # What is drawn to scale, R, v and v²/R of one length, by the beginning of its key.
 VELOCITY, ACCELERATION = ("c", "velocity"), ("p", "acceleration")

@@ -28,7 +28,9 @@ from kurbel.exact.numerals import (
 from kurbel.reading.notation import quoted
 
 INCH, FOOT, POUND = Fraction("0.0254"), Fraction("0.3048"), Fraction("0.45359237")
-POUND_FORCE = POUND * Fraction("9.80665")
+# By definition, of the third general conference on weights and measures, in m/s².
+STANDARD_GRAVITY = Fraction(980665, 100000)
+POUND_FORCE = POUND * STANDARD_GRAVITY
 METRIC, IMPERIAL = "metric", "imperial"
 # Of a column with forces in some rows and moments in others.
 BOTH = "N, N m"

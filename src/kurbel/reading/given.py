@@ -173,6 +173,10 @@ def as_numbers(given: object, what: str) -> tuple[Fraction, ...]:
     return tuple(read_values(given, lambda texts: notation.numbers(texts, what), as_fraction))
 
 
+# What asks for a share of the stroke, s=25%.
+SHARE = "s"
+
+
 def as_shares(given: object, what: str) -> tuple[Fraction, ...]:
     """Read shares, each once."""
     return tuple(read_values(given, lambda texts: notation.shares(texts, what), as_fraction))

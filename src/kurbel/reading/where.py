@@ -11,7 +11,7 @@ from kurbel.errors import NotationError
 from kurbel.exact.numerals import degrees_text, exact_text, finite_decimals
 from kurbel.reading import notation
 from kurbel.reading.amounts import UNITS
-from kurbel.reading.given import allowed_name, as_share
+from kurbel.reading.given import SHARE, allowed_name, as_share
 from kurbel.reading.notation import LONGEST_NUMBER, quoted
 from kurbel.reading.units import BEFORE_UNIT
 
@@ -21,7 +21,6 @@ VALUE, MAX, MIN, DEAD_CENTRE = "value", "max", "min", "dead centre"
 # Of the magnitude, |p| = max.
 MOST = "greatest magnitude"
 EXTREMES = (MAX, MIN, MOST)
-SHARE = "s"
 # Quantities that are angles, and those of which a share of the value at the dead centre makes sense.
 ANGLES = ("psi", "rocker")
 # Those whose greatest value is the greatest lean to either side.

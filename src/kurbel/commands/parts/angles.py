@@ -13,9 +13,8 @@ from kurbel.errors import ProblemError
 from kurbel.page.axes import shifted
 from kurbel.page.layouts import Layout
 from kurbel.reading import notation
-from kurbel.reading.given import as_angle, as_angles, as_shares
+from kurbel.reading.given import SHARE, as_angle, as_angles, as_shares
 from kurbel.reading.notation import Progression
-from kurbel.reading.where import SHARE
 
 if TYPE_CHECKING:
     from kurbel.motion.motion_page import AngleQuestion

@@ -14,7 +14,6 @@ from kurbel.drive import mechanisms as registered
 from kurbel.drive.crank import DescribedDrive, Diameters
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
 from kurbel.drive.moved import Drive
-from kurbel.drive.size import in_strokes, is_written
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import REACH, series_of
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
@@ -253,6 +252,10 @@ def _orders(given: object) -> tuple[int, ...]:
 def settle_sizes(values: Values) -> None:
     """Give the stroke as a length where it is written in another way, and the rod that the time ratio makes.
     Raises KurbelError."""
+    if not values.says("stroke") and not values.says("time_ratio"):
+        return
+    from kurbel.drive.size import in_strokes, is_written
+
     if is_written(values.values.get("stroke")) or values.says("time_ratio"):
         values.values.update(in_strokes(values.values))
         values.read.add("time_ratio")

@@ -10,8 +10,8 @@ from kurbel.commands.options import Option, amount, measure
 from kurbel.commands.part import Part, flag_of
 from kurbel.commands.parts.masses import Masses, Rotating
 from kurbel.drive import load
-from kurbel.drive.load import Areas, Pins, Pressures, Shaft
-from kurbel.drive.load import Effort as Efforts
+from kurbel.drive.effort import Areas, Pins, Pressures, Shaft
+from kurbel.drive.effort import Effort as Efforts
 from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism

@@ -15,7 +15,7 @@ from kurbel.commands.parts.drive import LENGTHS, AnyDrive, Speed, settle_sizes
 from kurbel.commands.parts.effort import RODS, Friction, with_effort
 from kurbel.commands.parts.loads import KINDS, Loads, on_page
 from kurbel.commands.parts.masses import OF_ROD, Masses, Rotating, Weight
-from kurbel.drive.load import Effort
+from kurbel.drive.effort import Effort
 from kurbel.drive.moved import Drive
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms, uncomputed

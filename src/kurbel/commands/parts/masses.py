@@ -15,7 +15,6 @@ from kurbel.drive.moved import Drive
 from kurbel.drive.rod import (
     GREATEST_GRAVITY,
     PINS,
-    STANDARD_GRAVITY,
     VERTICAL,
     MovingMasses,
     Rod,
@@ -24,6 +23,7 @@ from kurbel.drive.rod import (
 )
 from kurbel.errors import NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms
+from kurbel.reading.amounts import STANDARD_GRAVITY
 from kurbel.reading.given import (
     allowed_name,
     as_angle,

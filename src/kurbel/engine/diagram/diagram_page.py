@@ -16,23 +16,22 @@ from typing import Any
 
 from kurbel.drive.at import known
 from kurbel.drive.crank import check_angles
-from kurbel.drive.load import figure
 from kurbel.engine.diagram.excess import ExcessTorque, acceleration_line
 from kurbel.engine.diagram.fluctuation import Areas, Steady, Swinging, outcome
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats, settled
-from kurbel.exact.numerals import Label, Number, figures
+from kurbel.exact.numerals import Label, Number, figure, figures
 from kurbel.exact.real import Product
 from kurbel.kernel.circle import Numeric
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount, digits, unit_of_page
 from kurbel.reading.units import Speed
 
-WORDS = texts("engine.diagram")["diagram"]
+WORDS = Texts("engine.diagram", "diagram")
 
 INERTIA = Need(lambda question: question.inertia is not None, ("--inertia",))
 RUN = Need(lambda question: question.steady is not None, ("--inertia", "--speed"))

@@ -26,11 +26,11 @@ from kurbel.exact.numerals import Label, number_text
 from kurbel.exact.real import Product
 from kurbel.exact.search import greatest as greatest_of
 from kurbel.kernel.circle import Numeric
-from kurbel.page.quantity import texts
+from kurbel.page.quantity import Texts
 from kurbel.reading.given import FrozenValue
 from kurbel.reading.notation import about
 
-WORDS = texts("engine.diagram")["diagram"]
+WORDS = Texts("engine.diagram", "diagram")
 
 
 @dataclass(frozen=True)

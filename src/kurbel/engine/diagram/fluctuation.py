@@ -30,14 +30,14 @@ from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, finite_decimals, nearest, number_text
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import angle_decimals
-from kurbel.page.quantity import texts
+from kurbel.page.quantity import Texts
 from kurbel.reading import notation, units
 from kurbel.reading.amounts import moved, unit_of_page
 from kurbel.reading.given import FrozenValue
 from kurbel.reading.notation import about, check_bounds
 from kurbel.reading.units import Speed
 
-WORDS = texts("engine.diagram")["diagram"]
+WORDS = Texts("engine.diagram", "diagram")
 
 # So many places are named; more go on in the same steps.
 MOST_PLACES = 6

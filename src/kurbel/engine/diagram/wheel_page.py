@@ -15,14 +15,14 @@ from kurbel.exact.numerals import Label, Number, figure, finite_decimals, number
 from kurbel.exact.real import Product, Real
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Quantity, texts, words
+from kurbel.page.quantity import Column, Quantity, Texts, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import unit_of_page
 from kurbel.reading.notation import plain
 
-OF_WHEELS = texts("engine.diagram")["of_wheels"]
-SOURCES = texts("engine.diagram")["sources"]
+OF_WHEELS = Texts("engine.diagram", "of_wheels")
+SOURCES = Texts("engine.diagram", "sources")
 
 ANGLE_DECIMALS = 2
 # More places of one speed are left out.

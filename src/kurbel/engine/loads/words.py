@@ -9,22 +9,22 @@ from functools import cache
 from typing import Any, NamedTuple, Protocol
 
 from kurbel.drive.at import known
-from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM, figure
+from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
 from kurbel.engine.engine import Assembly, Load
 from kurbel.engine.loads.driven import DIFFERENTIAL, DOUBLE, Compressor, Pump
 from kurbel.engine.loads.ideal import GasCycle
-from kurbel.exact.numerals import Label, exact_text
-from kurbel.page.quantity import Words, texts, words
+from kurbel.exact.numerals import Label, exact_text, figure
+from kurbel.page.quantity import Texts, Words, words
 from kurbel.reading.amounts import amount
 from kurbel.reading.given import found_at
 from kurbel.reading.notation import plain
 
-CYCLES = texts("engine.loads")["cycles"]
-OF_STEAM = texts("engine.loads")["of_steam"]
-OTHERS = texts("engine.loads")["others"]
-PUMP_KINDS = texts("engine.loads")["pump_kinds"]
-PUMPS = texts("engine.loads")["pumps"]
-CYLINDERS = texts("engine")["cylinders"]
+CYCLES = Texts("engine.loads", "cycles")
+OF_STEAM = Texts("engine.loads", "of_steam")
+OTHERS = Texts("engine.loads", "others")
+PUMP_KINDS = Texts("engine.loads", "pump_kinds")
+PUMPS = Texts("engine.loads", "pumps")
+CYLINDERS = Texts("engine", "cylinders")
 
 
 class LoadFacts(Protocol):

@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 from kurbel.drive.at import known
-from kurbel.drive.load import COMPRESSOR, figure
+from kurbel.drive.load import COMPRESSOR
 from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
@@ -31,17 +31,17 @@ from kurbel.engine.power.power_quantities import Needs, registry
 from kurbel.engine.power.source import ActingPressure, Compound, GivenPressure, whole
 from kurbel.engine.power.unknown import UNKNOWNS
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Label, Number, figure
 from kurbel.exact.real import Product, Term
 from kurbel.page.axes import ColumnAxis, Place
-from kurbel.page.quantity import Column, Quantity, texts, words
+from kurbel.page.quantity import Column, Quantity, Texts, words
 from kurbel.page.subject import LEAVE_OUT, Question, Subject
 from kurbel.reading.amounts import amount
 from kurbel.reading.units import MassFlow
 
-OF_STEAM = texts("engine.loads")["of_steam"]
-COUNTED_IN = texts("engine")["counted_in"]
-POWER_TEXTS = texts("engine")["power_texts"]
+OF_STEAM = Texts("engine.loads", "of_steam")
+COUNTED_IN = Texts("engine", "counted_in")
+POWER_TEXTS = Texts("engine", "power_texts")
 
 GIVEN_WORDS = LoadWords(
     key="load",

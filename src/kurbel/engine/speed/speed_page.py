@@ -22,11 +22,11 @@ from kurbel.engine.speed.solved import run_of
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import Place
-from kurbel.page.quantity import Column, Quantity, texts, words
+from kurbel.page.quantity import Column, Quantity, Texts, words
 from kurbel.page.table import Note, Value
 from kurbel.reading.amounts import amount
 
-OF_SPEED = texts("engine")["of_speed"]
+OF_SPEED = Texts("engine", "of_speed")
 
 # What these are of: a crank angle under a flywheel, or the whole turn under one.
 AT_SPEED, OF_EVENNESS = "speed", "evenness"
