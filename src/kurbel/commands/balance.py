@@ -15,6 +15,7 @@ from kurbel.balancing.firing import FiringRequest, asked, read_order
 from kurbel.balancing.greatest import ExtremesRequest
 from kurbel.balancing.harmonics import MOST_ORDERS
 from kurbel.balancing.vector import CrankWithMasses
+from kurbel.commands.harmonics import HarmonicsOptions
 from kurbel.commands.options import Choice, Count, Option, alone, amount, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of
 from kurbel.commands.parts.angles import Angles, in_degrees
@@ -195,15 +196,12 @@ class BalanceOptions(
         "Share of each reciprocating mass that counterweights balance: 0.5, 50%.", "SHARE", default="0",
         read=as_share, topic="counterweights",
     )  # fmt: skip
-    ratio = Linked.ratio.but(help="Crank ratio: 1:5; lists '1:4;1:5' and ranges 1:3..6:0.5.")
+    ratio = HarmonicsOptions.ratio
     orders: Option[int] = Option(
         f"Orders up to N, 1 to {MOST_ORDERS}; odd ones above 1 are 0 and left out.", "N",
         Count("orders", 1, MOST_ORDERS, "does not say up to which one"), default=2, topic="question",
     )  # fmt: skip
-    method = word(
-        "exact, series (first order in λ) or infinite (rod of infinite length).",
-        kind=Choice("method", "kurbel.motion.evaluation:METHODS"), default="exact", topic="crank",
-    )  # fmt: skip
+    method = HarmonicsOptions.method
     angle = Angles.angle.but(
         help="Angles of the shaft at which forces are printed: 30, '0;30', 0..180:10, or what holds there:"
         " 's=10%'."

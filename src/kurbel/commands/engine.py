@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from kurbel.commands.options import Option, flag
 from kurbel.commands.part import CommandOptions, flag_of
@@ -18,15 +18,17 @@ from kurbel.commands.parts.masses import Masses
 from kurbel.commands.parts.performance import Flywheel
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
-from kurbel.drive.wheel import Wheel
 from kurbel.engine.engine_quantities import Needs, engine_registry
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
-from kurbel.page.layouts import Layout
-from kurbel.page.quantity import Need
-from kurbel.page.subject import Question
 from kurbel.reading import notation
 from kurbel.reading.given import as_angles, as_ratios
+
+if TYPE_CHECKING:
+    from kurbel.drive.wheel import Wheel
+    from kurbel.page.layouts import Layout
+    from kurbel.page.quantity import Need
+    from kurbel.page.subject import Question
 
 EXAMPLE, DETAIL = "epsilon,delta", "delta-detail"
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"

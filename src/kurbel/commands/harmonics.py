@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from kurbel.balancing.harmonics import HARMONICS, MOST_ORDERS, HarmonicsRequest
-from kurbel.commands.balance import BalanceOptions
 from kurbel.commands.options import Choice, Count, Option, word
 from kurbel.commands.part import CommandOptions, flag_of
-from kurbel.commands.parts.drive import Speed
+from kurbel.commands.parts.drive import Linked, Speed
 from kurbel.commands.parts.engine import Engine
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.crank import DescribedDrive
-from kurbel.engine.torque_harmonics import TorqueRequest
 from kurbel.errors import ProblemError
 from kurbel.page.subject import Question
 
@@ -50,8 +48,11 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
     )
     in_short = "ratio quantity orders machine eps bore pressure stroke speed reciprocating cranks columns"
 
-    ratio = BalanceOptions.ratio
-    method = BalanceOptions.method
+    ratio = Linked.ratio.but(help="Crank ratio: 1:5; lists '1:4;1:5' and ranges 1:3..6:0.5.")
+    method = word(
+        "exact, series (first order in λ) or infinite (rod of infinite length).",
+        kind=Choice("method", "kurbel.motion.evaluation:METHODS"), default="exact", topic="crank",
+    )  # fmt: skip
     speed = Speed.speed.but(help="Speed, for frequencies and masses: 120/min, 12.5rad/s.")
     quantity = word(
         "x (path), c (velocity), p (acceleration, default), or torque, of an engine.",
@@ -103,6 +104,8 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
 
     def _torque(self) -> Question:
         """Return what is asked for of the torque of an engine. Raises KurbelError."""
+        from kurbel.engine.torque_harmonics import TorqueRequest
+
         page, names = self.page("torque-harmonics", *OF_TORQUE), self.names("order,amplitude")
         if self.method == "infinite":
             raise ProblemError("the torque of an infinite rod is that of --ratio 1:∞; leave --method out")

@@ -20,9 +20,15 @@ from kurbel.kernel.circle import Numeric
 from kurbel.motion.drives import Drive, condition_names
 from kurbel.motion.evaluation import OUT, RETURN, Needs
 from kurbel.motion.mechanism import mechanism
-from kurbel.reading import units
 from kurbel.reading.amounts import UNITS
-from kurbel.reading.given import SHARE
+from kurbel.reading.given import (
+    SHARE,
+    as_acceleration,
+    as_displacement,
+    as_signed_force,
+    as_torque,
+    as_velocity,
+)
 from kurbel.reading.names import otherwise
 from kurbel.reading.where import (
     DEAD_CENTRE,
@@ -122,7 +128,7 @@ def read_on(drive: Drive, text: str) -> Condition:
     if column not in drive.columns:
         options = " and ".join(drive.entries[column].options)
         raise ProblemError(f'condition "{found}" is in {found.unit} and needs {options}')
-    reader = units.signed_torque if found.quantity == TORQUE else units.signed_force
+    reader = as_torque if found.quantity == TORQUE else as_signed_force
     value = reader(f"{exact_text(found.value)} {found.unit}", found.quantity)
     return Condition(column, VALUE, value)
 
@@ -233,9 +239,9 @@ class SizedQuantity(NamedTuple):
 
 
 MEASURES = {
-    "x": SizedQuantity("x_mm", 1000, units.displacement, 0),
-    "c": SizedQuantity("c_mps", 1, units.velocity, 1),
-    "p": SizedQuantity("p_mps2", 1, units.acceleration, 2),
+    "x": SizedQuantity("x_mm", 1000, as_displacement, 0),
+    "c": SizedQuantity("c_mps", 1, as_velocity, 1),
+    "p": SizedQuantity("p_mps2", 1, as_acceleration, 2),
 }
 
 

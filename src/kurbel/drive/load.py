@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, ClassVar, NamedTuple, Protocol
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.amounts import amount
 from kurbel.reading.given import as_signed_force, found_at
 from kurbel.reading.notation import about

@@ -12,19 +12,22 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache, reduce
 from itertools import product
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.drive.at import CrankForce, Weights, known
-from kurbel.drive.moved import Moved
-from kurbel.drive.wheel import Flywheel
-from kurbel.engine.engine import Assembly, Engine
+from kurbel.drive.at import known
 from kurbel.exact.certify import FLOAT_BITS, at_bits
-from kurbel.exact.kind import Kind
 from kurbel.kernel import forces
-from kurbel.kernel.circle import Circle, Numeric
-from kurbel.kernel.forces import Stroke
 from kurbel.kernel.steam import larger, smaller
 from kurbel.motion.evaluation import OUT, RETURN
+
+if TYPE_CHECKING:
+    from kurbel.drive.at import CrankForce, Weights
+    from kurbel.drive.moved import Moved
+    from kurbel.drive.wheel import Flywheel
+    from kurbel.engine.engine import Assembly, Engine
+    from kurbel.exact.kind import Kind
+    from kurbel.kernel.circle import Circle, Numeric
+    from kurbel.kernel.forces import Stroke
 
 # The spans of a turn that have extremes of their own.
 OUTSTROKE, RETURN_STROKE, WHOLE = 0, 1, None

@@ -9,19 +9,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.at import Weights, known
 from kurbel.drive.crank import Crank
+from kurbel.drive.load import CARD
 from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive
-from kurbel.engine.card.card import Diagram
 from kurbel.engine.loads.ideal import LEAST_WORK, Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.forces import Stroke
 from kurbel.reading.notation import about, check_bounds
+
+if TYPE_CHECKING:
+    from kurbel.engine.card.card import Diagram
 
 # Nearer to 1 the piston of the exact motion stands still but for an instant.
 LARGEST_RATIO = 1 - Fraction(1, 10**12)
@@ -84,8 +87,8 @@ class Engine:
     lag: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
-        if isinstance(self.steam, Diagram):
-            object.__setattr__(self, "steam", self.steam.on(self.drive))
+        if (measured := self.diagram) is not None:
+            object.__setattr__(self, "steam", measured.on(self.drive))
         self._check_load()
         if self.crank.ratio > LARGEST_RATIO:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
@@ -123,8 +126,8 @@ class Engine:
     @property
     def pressure(self) -> Fraction | None:
         """The pressure in Pa that Q is of, None where it is not known."""
-        if isinstance(self.steam, Diagram):
-            return Fraction(self.steam.pressure)
+        if (measured := self.diagram) is not None:
+            return Fraction(measured.pressure)
         return None if self.load is None else self.load.pressure
 
     def strokes(self, kind: Kind) -> Sequence[Stroke]:
@@ -216,7 +219,17 @@ class Engine:
     @property
     def carded(self) -> bool:
         """Whether the piston force comes from an indicator card."""
-        return isinstance(self.steam, Diagram)
+        return self.steam.name == CARD
+
+    @property
+    def diagram(self) -> Diagram | None:
+        """That card, None where there is none."""
+        if not self.carded:
+            return None
+        from kurbel.engine.card.card import Diagram
+
+        assert isinstance(self.steam, Diagram)
+        return self.steam
 
     @property
     def ideal(self) -> Steam:

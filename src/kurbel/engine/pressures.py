@@ -20,7 +20,6 @@ from kurbel.drive.at import known
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.moved import Drive, Moved
 from kurbel.engine.captions import SingleCylinder, within
-from kurbel.engine.card.card import Diagram
 from kurbel.engine.engine import Engine
 from kurbel.engine.loads.words import engine_lines, load_text
 from kurbel.engine.turn import angle_at, turn_of
@@ -171,7 +170,7 @@ class PressureDrive:
 
 def is_carded(pressed: PressureDrive) -> bool:
     """Whether the pressure comes from an indicator card."""
-    return pressed.engine is not None and isinstance(pressed.engine.steam, Diagram)
+    return pressed.engine is not None and pressed.engine.carded
 
 
 @cache

@@ -11,8 +11,6 @@ from typing import TYPE_CHECKING
 from kurbel.drive.crank import check_angles
 from kurbel.drive.load import COMPRESSOR, GAS, LOADS, PUMP, STEAM
 from kurbel.drive.load import Load as Acting
-from kurbel.drive.moved import Drive
-from kurbel.drive.wheel import Flywheel, Wheel
 from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, TurnPlace
 from kurbel.engine.digits import check_card
 from kurbel.engine.engine import Assembly, Engine, Load, check_count
@@ -23,16 +21,18 @@ from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import PAGE_CELLS
 from kurbel.motion.mechanism import STRAIGHT, Mechanism
 from kurbel.motion.motion_page import worthwhile
-from kurbel.page.axes import Place
-from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, with_symbol, words
 from kurbel.page.subject import LEAVE_OUT, Question
-from kurbel.page.table import Field
 from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
+    from kurbel.drive.moved import Drive
+    from kurbel.drive.wheel import Flywheel, Wheel
     from kurbel.engine.arrays import Irregularities
     from kurbel.motion.long import LongColumns
+    from kurbel.page.axes import Place
+    from kurbel.page.layouts import LayoutColumn
+    from kurbel.page.table import Field
 
 # So many engines take balls as long as NumPy and its formulas take for the first.
 PAGE_ENGINES = 200

@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.at import known
-from kurbel.drive.wheel import Flywheel
-from kurbel.engine.cylinder import AnyTurn, TurnPlace
-from kurbel.engine.engine import Engine
-from kurbel.exact.kind import Kind
 from kurbel.kernel import forces
-from kurbel.kernel.circle import Numeric
-from kurbel.kernel.steam import Expansion
+
+if TYPE_CHECKING:
+    from kurbel.drive.wheel import Flywheel
+    from kurbel.engine.cylinder import AnyTurn, TurnPlace
+    from kurbel.engine.engine import Engine
+    from kurbel.exact.kind import Kind
+    from kurbel.kernel.circle import Numeric
+    from kurbel.kernel.steam import Expansion
 
 
 def work(turn: AnyTurn, where: TurnPlace) -> Numeric:

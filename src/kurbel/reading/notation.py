@@ -23,6 +23,8 @@ LONGEST_RANGE = 4 * LONGEST_NUMBER
 LONGEST_LIST = 10_000
 LONGEST_ANGLE_LIST = 10**6
 MOST_ROWS = 10**9
+# What stands before a unit, read as a number or refused as one: in 10 1/s the fraction belongs to the unit.
+BEFORE_UNIT = r"[+−-]?(?:\d+\s+(?=\d+/\d))?[\d.,]+(?:[eE][+-]?\d+)?(?:\s*/\s*[\d.,]+(?:[eE][+-]?\d+)?)?"
 
 # What a value is that is beyond a bound.
 _BEYOND: Mapping[str, Callable[[Any, Any], bool]] = {

@@ -17,10 +17,8 @@ from kurbel.exact.numerals import exact_text
 from kurbel.reading.amounts import FACTORS, known_unit, plain_unit
 from kurbel.reading.given import as_angle, as_crank_angles, as_fraction
 from kurbel.reading.names import did_you_mean
-from kurbel.reading.notation import about, in_shell, number, quoted, share
+from kurbel.reading.notation import BEFORE_UNIT, about, in_shell, number, quoted, share
 
-# What stands before a unit, read as a number or refused as one: in 10 1/s the fraction belongs to the unit.
-BEFORE_UNIT = r"[+−-]?(?:\d+\s+(?=\d+/\d))?[\d.,]+(?:[eE][+-]?\d+)?(?:\s*/\s*[\d.,]+(?:[eE][+-]?\d+)?)?"
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
 _MEASURE = rf"\s*({BEFORE_UNIT})\s*((?:(?:1\s*)?/\s*)?[A-Za-zµμ].*?)?\s*"
 # 2' 6", 24", 2ft 6in

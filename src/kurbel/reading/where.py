@@ -12,8 +12,7 @@ from kurbel.exact.numerals import degrees_text, exact_text, finite_decimals
 from kurbel.reading import notation
 from kurbel.reading.amounts import UNITS
 from kurbel.reading.given import SHARE, allowed_name, as_share
-from kurbel.reading.notation import LONGEST_NUMBER, quoted
-from kurbel.reading.units import BEFORE_UNIT
+from kurbel.reading.notation import BEFORE_UNIT, LONGEST_NUMBER, quoted
 
 GRAMMAR = 'write it as p=0, s=25%, x=1.1, "x = 200 mm", c=max, p=min or "p = 1/6 of dead centre"'
 # What a condition can ask beside a number.

@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from kurbel.commands.options import Option, amount, measure
 from kurbel.commands.part import Part, flag_of
 from kurbel.commands.parts.masses import Masses, Rotating
 from kurbel.drive import load
-from kurbel.drive.effort import Areas, Pins, Pressures, Shaft
-from kurbel.drive.effort import Effort as Efforts
-from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
-from kurbel.motion.mechanism import Mechanism
 from kurbel.reading.given import as_force, as_inertia, as_length, as_power, as_pressure, as_share
+
+if TYPE_CHECKING:
+    from kurbel.drive.effort import Areas, Pins, Pressures, Shaft
+    from kurbel.drive.effort import Effort as Efforts
+    from kurbel.drive.moved import Drive
+    from kurbel.motion.mechanism import Mechanism
 
 RODS = ("piston_rod", "tail_rod")
 PRESSING = ("head_pressure", "crank_pressure", "pressure_difference")
@@ -44,6 +47,8 @@ class Piston(Part):
 
     def piston_areas(self) -> Areas:
         """Return the areas of the piston, whose bore is known."""
+        from kurbel.drive.effort import Areas
+
         bore = self.bore
         assert bore is not None
         return Areas(bore, self.piston_rod or Fraction(0), self.tail_rod or Fraction(0))
@@ -110,6 +115,8 @@ class PinFriction(Part):
         if not self.says(*PINS):
             names = ", ".join(map(flag_of, PINS))
             raise ProblemError(f"--pin-friction needs the diameter of a pin; add one of {names}")
+        from kurbel.drive.effort import Pins
+
         friction = self.pin_friction
         assert friction is not None
         return Pins(
@@ -142,6 +149,8 @@ class TurningShaft(Part):
             return None
         if self.says("power") and not self.says("speed"):
             raise ProblemError("--power becomes a torque by the speed; add --speed, for example 120/min")
+        from kurbel.drive.effort import Shaft
+
         return Shaft(inertia, self.power or Fraction(0))
 
 
@@ -194,6 +203,8 @@ class Effort(Piston, Friction, PistonPressures, Masses, Rotating):
         shaft = self.as_part(TurningShaft).turned()
         if pressures is None and pins is None and friction is None and shaft is None:
             return None
+        from kurbel.drive.effort import Effort as Efforts
+
         return Efforts(pressures, friction or Fraction(0), pins=pins, shaft=shaft)
 
     def pressures(self) -> Pressures | None:
@@ -207,6 +218,8 @@ class Effort(Piston, Friction, PistonPressures, Masses, Rotating):
             raise ProblemError(
                 f"{flag_of(first)} needs the area on which it acts; add --bore, for example --bore 300mm"
             )
+        from kurbel.drive.effort import Areas, Pressures
+
         if (difference := self.pressure_difference) is None:
             return Pressures(
                 self.piston_areas(), self.head_pressure or Fraction(0), self.crank_pressure or Fraction(0)

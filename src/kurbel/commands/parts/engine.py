@@ -15,7 +15,6 @@ from kurbel.commands.parts.drive import LENGTHS, AnyDrive, Speed, settle_sizes
 from kurbel.commands.parts.effort import RODS, Friction, with_effort
 from kurbel.commands.parts.loads import KINDS, Loads, on_page
 from kurbel.commands.parts.masses import OF_ROD, Masses, Rotating, Weight
-from kurbel.drive.effort import Effort
 from kurbel.drive.moved import Drive
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms, uncomputed
@@ -169,6 +168,8 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         if not self.says("bore"):
             name = "friction" if self.says("friction") else rods[0]
             raise ProblemError(f"{flag_of(name)} is weighed against the load by the bore; add --bore")
+        from kurbel.drive.effort import Effort
+
         friction = self.friction or Fraction(0)
         return with_effort(chosen, drives, Effort(None, friction, self.piston_areas() if rods else None))
 

@@ -23,7 +23,6 @@ from kurbel.reading.given import (
     as_shares,
     of_given,
 )
-from kurbel.reading.units import is_measure
 
 if TYPE_CHECKING:
     from kurbel.drive.load import Load as Acting
@@ -495,7 +494,12 @@ KINDS: Mapping[str, Kind] = {
 
 
 def _is_measure(value: object) -> bool:
-    return isinstance(value, str) and is_measure(value)
+    # A unit has letters.
+    if not isinstance(value, str) or not any(map(str.isalpha, value)):
+        return False
+    from kurbel.reading.units import is_measure
+
+    return is_measure(value)
 
 
 def _titles(keys: Sequence[str]) -> str:

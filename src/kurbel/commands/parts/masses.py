@@ -5,24 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from kurbel.commands.options import Option, alone, amount, file, measure
 from kurbel.commands.part import Part, Rivals, flag_of
 from kurbel.commands.parts.drive import Speed
 from kurbel.drive.at import acceleration_of
-from kurbel.drive.moved import Drive
-from kurbel.drive.rod import (
-    GREATEST_GRAVITY,
-    PINS,
-    VERTICAL,
-    MovingMasses,
-    Rod,
-    Slope,
-    Swing,
-)
 from kurbel.errors import NotationError, ProblemError
-from kurbel.motion.mechanism import Mechanism, of_other_mechanisms
+from kurbel.motion.mechanism import of_other_mechanisms
 from kurbel.reading.amounts import STANDARD_GRAVITY
 from kurbel.reading.given import (
     allowed_name,
@@ -38,6 +28,11 @@ from kurbel.reading.given import (
     as_signed_mass,
 )
 from kurbel.reading.notation import about
+
+if TYPE_CHECKING:
+    from kurbel.drive.moved import Drive
+    from kurbel.drive.rod import Rod, Slope, Swing
+    from kurbel.motion.mechanism import Mechanism
 
 _UNKNOWN = "that of the rod is not known; add --stroke and one --ratio, or give a share of the rod's length"
 # By which of these the rod's k is known, each with what says about which point.
@@ -66,6 +61,7 @@ def _swings(value: object, what: str) -> tuple[Fraction, ...]:
 
 def place_on_rod(value: object, length: Fraction | None, what: str) -> Fraction:
     """Return a point of the rod, in its lengths from the crosshead pin. Raises KurbelError."""
+    from kurbel.drive.rod import PINS
     from kurbel.reading.units import is_measure
 
     if isinstance(value, str) and not any(map(str.isdigit, value)):
@@ -153,6 +149,8 @@ class MovingRod(Part):
 
     def swings(self, length: Fraction | None) -> list[Swing]:
         """Return the swings that are described. Raises ProblemError where a time or a point is missing."""
+        from kurbel.drive.rod import GREATEST_GRAVITY, Swing
+
         times, given = self.pendulum, self.pendulum_from
         if times is None:
             raise ProblemError(
@@ -180,6 +178,8 @@ class MovingRod(Part):
 
 def _slope(value: object, what: str) -> Fraction:
     """Return the angle of a slope. Raises KurbelError."""
+    from kurbel.drive.rod import VERTICAL
+
     is_word = isinstance(value, str) and value.strip().lower() == "vertical"
     return VERTICAL if is_word else as_angle(value, what)
 
@@ -213,6 +213,8 @@ class Weight(Part):
         angle = self.slope
         if angle is None:
             return None
+        from kurbel.drive.rod import Slope
+
         gravity = self.gravity
         found = Slope(angle, STANDARD_GRAVITY if gravity is None else gravity)
         lean = as_angle(self.values.values.get("bank") or 0, "bank")
@@ -300,6 +302,8 @@ class Masses(MovingRod, Weight):
             *others, last = missing
             needed = f"{', '.join(others)} and {last}" if others else last
             raise ProblemError(f"{flag_of(self.a_mass())} needs {needed} to become a force")
+        from kurbel.drive.rod import MovingMasses
+
         # One rod for all ratios has a length of its own only if there is one ratio.
         length = cranks[0].rod_length if len(cranks) == 1 else None
         slope = self.slope_of_slide()

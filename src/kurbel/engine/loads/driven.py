@@ -372,13 +372,18 @@ class Pump:
         """Whether both strokes do the same."""
         return self.kind == DOUBLE
 
+    @property
+    def differential(self) -> bool:
+        """Whether its other side is a ring."""
+        return self.kind == DIFFERENTIAL
+
     def strokes(self, kind: Kind, double: bool) -> tuple[BothSides, BothSides]:
         """Return both strokes; but for the double-acting pump the outstroke sucks, the return delivers."""
         filling, other = steady(kind.of(self.suction)), steady(kind.of(Fraction(0)))
         emptying = steady(kind.of(self.suction + 1))
-        if self.kind == DOUBLE:
+        if self.double:
             return BothSides(filling, emptying), BothSides(filling, emptying)
-        if self.kind == DIFFERENTIAL:
+        if self.differential:
             # The ring has the delivery pressure on both strokes.
             other = steady(kind.of(self.small_area * (self.suction + 1)))
         return BothSides(filling, other), BothSides(other, emptying)

@@ -6,18 +6,20 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from typing import Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from kurbel.drive.at import known
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
-from kurbel.engine.engine import Assembly, Load
-from kurbel.engine.loads.driven import DIFFERENTIAL, DOUBLE, Compressor, Pump
-from kurbel.engine.loads.ideal import GasCycle
 from kurbel.exact.numerals import Label, exact_text, figure
 from kurbel.page.quantity import Texts, Words, words
 from kurbel.reading.amounts import amount
 from kurbel.reading.given import found_at
 from kurbel.reading.notation import plain
+
+if TYPE_CHECKING:
+    from kurbel.engine.engine import Assembly, Load
+    from kurbel.engine.loads.driven import Compressor, Pump
+    from kurbel.engine.loads.ideal import GasCycle
 
 CYCLES = Texts("engine.loads", "cycles")
 OF_STEAM = Texts("engine.loads", "of_steam")
@@ -220,10 +222,10 @@ def _apart(compression: Fraction, expansion: Fraction, lang: str) -> Label:
 def _pump_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
     load: Pump = request.steams[0]
     yield PUMPS[load.kind][lang]
-    if load.kind == DIFFERENTIAL:
+    if load.differential:
         usual = " (--small-area)" if load.small_area == Fraction(1, 2) else ""
         yield OTHERS["ring"][lang].format(share=figure(load.small_area), usual=usual)
-    if load.kind != DOUBLE:
+    if not load.double:
         yield _suction(load, request.first.load, lang)
 
 
