@@ -8,6 +8,8 @@ import os
 import re
 import shlex
 import shutil
+import subprocess
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -331,6 +333,23 @@ def test_a_copy_prints_the_same_page_in_every_format_until_it_is_changed(name: s
         path = tmp_path / "mine" / name / f"{form}.jinja"
         path.write_text(path.read_text(encoding="utf-8") + "changed\n", encoding="utf-8")
         assert typed(*words, "-f", form, *copy).out == typed(*words, "-f", form).out + "changed\n"
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_templates_are_kept_compiled_where_python_keeps_modules(closed: bool, tmp_path: Path) -> None:
+    prefix, words = tmp_path / "kept", [sys.executable, "-m", "kurbel", *SMALL]
+    if closed:
+        prefix.touch()
+    known = {**os.environ, "PYTHONPYCACHEPREFIX": str(prefix)}
+    for forbidden, kept in (("1", 0), ("", 1 - closed), ("", 1 - closed)):
+        environment = {**known, "PYTHONDONTWRITEBYTECODE": forbidden}
+        said = subprocess.run(words, env=environment, capture_output=True, check=True, encoding="utf-8")
+        assert (said.stdout, said.stderr) == (printed(*SMALL).out, "")
+        found = [*prefix.rglob("*.cache")]
+        assert len(found) == kept
+        # Cut off, it is compiled anew.
+        for one in found:
+            os.truncate(one, one.stat().st_size // 2)
 
 
 def test_a_copy_changes_no_folder_that_is_there(tmp_path: Path) -> None:

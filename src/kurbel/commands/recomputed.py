@@ -19,9 +19,9 @@ from kurbel import verify
 from kurbel.errors import ProblemError
 from kurbel.motion.point_quantities import points_registry
 from kurbel.reading import units
-from kurbel.reading.given import as_places
+from kurbel.reading.given import SHARE, as_places
 from kurbel.reading.notation import number
-from kurbel.reading.where import DEAD_CENTRE, EXTREMES, SHARE, Condition, read_condition
+from kurbel.reading.where import DEAD_CENTRE, EXTREMES, Condition, read_condition
 from kurbel.verify import Number, Value, harmonics
 from kurbel.verify.bodies import Force
 from kurbel.verify.drives import Course, Degrees

@@ -201,9 +201,16 @@ def environment_of(form: PageFormat | RecordsFormat, folders: Folders) -> Enviro
 def _compiled() -> BytecodeCache:
     """Return what keeps our templates compiled as Python keeps its modules: in __pycache__ beside them, or
     where PYTHONPYCACHEPREFIX says; not where PYTHONDONTWRITEBYTECODE forbids it, nor in a closed folder."""
+    from pickle import UnpicklingError
+
     from jinja2.bccache import Bucket, FileSystemBytecodeCache
 
     class Compiled(FileSystemBytecodeCache):
+        def load_bytecode(self, bucket: Bucket) -> None:
+            # One that was cut off is compiled anew.
+            with suppress(OSError, EOFError, UnpicklingError):
+                super().load_bytecode(bucket)
+
         def dump_bytecode(self, bucket: Bucket) -> None:
             if sys.dont_write_bytecode:
                 return
