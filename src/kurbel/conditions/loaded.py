@@ -283,7 +283,9 @@ def _number(question: LoadedRequest, column: Column, place: Place, times: int) -
             value *= question.units.times(question.entry(column.key).plain_unit("en"))
         return nearest(times * value, decimals, rounding)
     loaded, at = question.at(place), question.roots(place)[place["root"]]
-    turn, key = loaded.turn, _bare(column.key)
+    # The same in Q or Q r has this key.
+    key = "tangential" if column.key == "torque_nm" else column.key.removesuffix("_n")
+    turn = loaded.turn
     scale = column.quantity.scale or (lambda turn: 1)
 
     def found() -> Numeric:
@@ -297,11 +299,6 @@ def _number(question: LoadedRequest, column: Column, place: Place, times: int) -
             lambda on: times * on.cylinder.force(CRANK_FORCES[key], stroke, angle) * scale(on), [turn]
         )
     return Number(rounded(found, decimals, rounding, ties), decimals)
-
-
-def _bare(column: str) -> str:
-    """Return the column that shows the same in Q or Q r."""
-    return "tangential" if column == "torque_nm" else column.removesuffix("_n")
 
 
 def _caption(question: LoadedRequest) -> Label:

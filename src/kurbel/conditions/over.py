@@ -209,16 +209,14 @@ class PathRequest(DriveQuestion):
         if self.knows(quantity.key):
             return ""
         if quantity.key in quantities_of(self.mechanism):
-            return unknown(quantity) if quantity.needs else self._formulaless(quantity)
+            formulaless = f'method "{self.method}" has no formula for {quantity.key}; use exact'
+            return unknown(quantity) if quantity.needs else formulaless
         return f"column {quantity.key} belongs to another mechanism; leave it out"
 
     def knows(self, key: str) -> bool:
         return key in ANGLES or (
             key in quantities_of(self.mechanism) and key.replace(_BACK, "") in self.drives[0].columns
         )
-
-    def _formulaless(self, quantity: Quantity) -> str:
-        return f'method "{self.method}" has no formula for {quantity.key}; use exact'
 
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method,)

@@ -220,7 +220,8 @@ class At:
 
     @property
     def crank(self) -> Crank:
-        return self.drive.crank
+        found: Crank = self.drive.crank
+        return found
 
     @cached_property
     def gain(self) -> Numeric | None:
@@ -253,7 +254,8 @@ class At:
         crank = self.crank
         net = self.acting(self.numbers.of(crank.force.first if crank.force else Fraction(0)))
         if self.arc is not None:
-            return self.drive.under(self.circle, self.place, self.arc, masses, net, reciprocating)
+            under: Callable[..., LoadedCrank] = self.drive.under
+            return under(self.circle, self.place, self.arc, masses, net, reciprocating)
         drive, friction = (self.circle, self.ratio, masses, self.offset), None
         if crank.effort is not None:
             net, friction = net + self.pressed(), self.rubbing()
@@ -291,7 +293,8 @@ class At:
         if hasattr(velocity, "union"):
             if hasattr(velocity, "rad") and not velocity.contains(0):
                 return 1 if velocity > 0 else -1
-            return (0 * velocity - 1).union(0 * velocity + 1)
+            both: Numeric = (0 * velocity - 1).union(0 * velocity + 1)
+            return both
         import numpy as np
 
         drawn: Any = self.by.piston(self.circle, self.ratio, self.offset)

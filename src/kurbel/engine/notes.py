@@ -287,10 +287,7 @@ def _clauses(request: EngineRequest, shown: list[Quantity]) -> Iterator[Label]:
     named = [SUPPLIED[one.key][lang] for one in shown if one.key in SUPPLIED and one.of != "cylinder"]
     if named:
         yield SIGNS["supplied"][lang].format(names=AND[lang].join(dict.fromkeys(named)))
-    if any(one.key == "delta" or one.of in EXTREMES or _of_extreme(one) for one in shown):
+    # Of the speed under a given flywheel extremes, and what is made of both.
+    even = (one.of == "evenness" and one.key != "number" for one in shown)
+    if any(one.key == "delta" or one.of in EXTREMES for one in shown) or any(even):
         yield SIGNS["exchanged"][lang]
-
-
-def _of_extreme(one: Quantity) -> bool:
-    """Whether it is an extreme of the speed under a given flywheel, or made of both."""
-    return one.of == "evenness" and one.key != "number"

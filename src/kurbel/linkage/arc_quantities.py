@@ -40,7 +40,8 @@ def _turned(at: At) -> Numeric:
 
 
 def _path(at: At) -> Numeric:
-    return _turned(at) * at.numbers.pi / 180 / at.arc.curvature
+    curvature: Numeric = at.arc.curvature
+    return _turned(at) * at.numbers.pi / 180 / curvature
 
 
 def _rocker(at: At) -> Numeric:
@@ -64,8 +65,10 @@ def _gaining(even: Formula, velocity: Formula) -> Formula:
     much of the velocity."""
 
     def kernel(at: At) -> Numeric:
-        found = even.kernel(at)
-        return found if at.gain is None else found + at.gain * velocity.kernel(at)
+        found: Numeric = even.kernel(at)
+        if at.gain is not None:
+            found = found + at.gain * velocity.kernel(at)
+        return found
 
     return even._replace(kernel=kernel)
 
@@ -162,7 +165,8 @@ class RockerInertiaRequest(LinkageRequest):
     """What is asked for of these drives with their rods, each called as in its own mechanism."""
 
     def entry(self, key: str) -> Quantity:
-        return _moved(self.drives[0]).named(super().entry(key))
+        called: Quantity = _moved(self.drives[0]).named(super().entry(key))
+        return called
 
 
 @cache
@@ -190,7 +194,8 @@ def _moved(drive: RockerCrank) -> Any:
 
 
 def _caption(request: LinkageRequest) -> Label:
-    return _moved(request.drives[0]).speech.caption(request)
+    caption: Label = _moved(request.drives[0]).speech.caption(request)
+    return caption
 
 
 def _notes(request: LinkageRequest) -> Iterator[Label]:

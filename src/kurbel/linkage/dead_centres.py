@@ -129,7 +129,7 @@ def _number(question: DeadCentresRequest, column: Column, place: Place, times: i
     """The printed number; for the boundaries see linkage/arc_mechanism.py, and for fewer decimals the error
     of one that is not settled."""
     quantity, drive = column.quantity, question.drives[place["ratio"]]
-    kernel = quantity.formulas["exact"].kernel
+    kernel: Kernel = quantity.formulas["exact"].kernel
 
     def value(kind: Kind) -> Numeric:
         return times * kernel(drive, kind)

@@ -80,7 +80,8 @@ class Linkage(DeadCentres, ABC):
     def of(self, crank: Crank) -> Linkage:
         """Return the drive with what else is known of its crank."""
         own: Any = self
-        return replace(own, crank=crank)
+        changed: Linkage = replace(own, crank=crank)
+        return changed
 
     @property
     def stroke(self) -> Label:
@@ -331,7 +332,8 @@ class LinkageDrive(Drive):
 
     @property
     def stroke(self) -> Label:
-        return self.drive.stroke
+        found: Label = self.drive.stroke
+        return found
 
     def closing_lines(self, question: Any) -> Iterator[Label]:
         """Yield what pages of the drive say of it, on both strokes."""

@@ -20,8 +20,6 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Circle, Numeric
-from kurbel.motion.bulk import columns_in_floats
-from kurbel.motion.evaluation import columns_in_balls
 from kurbel.motion.motion_page import MOTION, Digits, Request
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import Place
@@ -138,21 +136,14 @@ class ChordRequest(Request):
 
     def scaled(self, crank: Crank, angles: Sequence[Fraction]) -> Sequence[Digits]:
         lengths = [column for column in self.page_columns if column.quantity.key != COUNT]
-        found = iter(self._lengths(lengths, crank, angles) if lengths else ())
+        found = iter(self.digits_of(lengths, crank, angles) if lengths else ())
+        places, rounding = self.counted_places, self.rounding
         return [
-            self._steps(crank, angles) if column.quantity.key == COUNT else next(found)
+            [steps_to(crank, angle, places, rounding) for angle in angles]
+            if column.quantity.key == COUNT
+            else next(found)
             for column in self.page_columns
         ]
-
-    def _lengths(
-        self, columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction]
-    ) -> Sequence[Digits]:
-        if not self.bulk:
-            return columns_in_balls(columns, crank, angles, self.rounding)
-        return columns_in_floats(columns, crank, angles, self.rounding)
-
-    def _steps(self, crank: Crank, angles: Sequence[Fraction]) -> list[int | None]:
-        return [steps_to(crank, angle, self.counted_places, self.rounding) for angle in angles]
 
 
 def _number(question: ChordRequest, column: Column, place: Place, times: int) -> Number | None:

@@ -65,7 +65,8 @@ class Drive(ABC):
 
     @property
     def crank(self) -> Crank:
-        return self.drive.crank
+        found: Crank = self.drive.crank
+        return found
 
     @property
     def ratio(self) -> Fraction:

@@ -62,7 +62,7 @@ def _by_orders(first: Formulas, kernel: str, line: Label) -> Formulas:
 def _by_order(kernel: str, order: int) -> Kernel:
     def call(at: At) -> Numeric:
         # What is asked by other methods needs none of it.
-        found = getattr(series, kernel)(at.circle, at.ratio, order)
+        found: Numeric = getattr(series, kernel)(at.circle, at.ratio, order)
         # Of a negative ratio fd would be negative, too.
         return at.stroke * found if kernel == "rod_versine" else found
 
@@ -176,7 +176,7 @@ def _along_rod(at: At) -> Numeric:
 
 
 def _slowest(at: At) -> Numeric:
-    lifted = at.ratio * rod_slant(at.circle, at.ratio, at.offset).sine
+    lifted: Numeric = at.ratio * rod_slant(at.circle, at.ratio, at.offset).sine
     return _velocity(at) * lifted / _rod_velocity(at)
 
 

@@ -164,10 +164,10 @@ class Peak:
         return jet
 
     def _slope(self, half_turns: arb) -> arb:
-        return self._smooth(half_turns).slope
+        return ball(self._smooth(half_turns).slope)
 
     def _bend(self, half_turns: arb) -> arb:
-        return self._smooth(half_turns).bend * pi()
+        return ball(self._smooth(half_turns).bend) * pi()
 
     def _candidates(self) -> Iterator[Zero]:
         """Yield the quarters of the turn and all zeros of the slope between them.
@@ -220,7 +220,7 @@ class Peak:
             )
         middle, wide = self._jet(self.force.formula, at.mid()), self._jet(self.force.formula, at)
         away = (at - at.mid()) * pi()
-        return middle.value + away * (middle.slope + away * wide.bend)
+        return ball(middle.value + away * (middle.slope + away * wide.bend))
 
 
 @lru_cache(maxsize=16)

@@ -134,7 +134,7 @@ class LongColumns(ABC):
         self._whole: dict[tuple[int, ...], dict[str, Integers]] = {}
 
     @abstractmethod
-    def value(self, one: Column, place: Place, places: Places) -> Numeric:
+    def value(self, one: Column, place: Place, places: Places) -> Any:
         """Return a column at a run of angles, NotImplemented where it has no formulas on enclosures."""
 
     @abstractmethod
@@ -229,7 +229,7 @@ class AngleColumns(LongColumns):
     def drives(self) -> Iterator[DeadCentres]:
         yield from self.question.drives
 
-    def value(self, one: Column, place: Place, places: Places) -> Numeric:
+    def value(self, one: Column, place: Place, places: Places) -> Any:
         if one.quantity.of == DIRECTION:
             return NotImplemented
         return self.question.value(one, place, places.angle.circle, ENCLOSURES)

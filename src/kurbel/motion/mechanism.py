@@ -74,7 +74,8 @@ class Mechanism(ABC):
 
     def crank(self, drive: Any) -> Crank:
         """Return what is known of a drive's radius, speed and force."""
-        return drive.crank
+        found: Crank = drive.crank
+        return found
 
     def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
         """Return what pages of engines say of their drives."""
@@ -101,7 +102,8 @@ class Mechanism(ABC):
             raise ProblemError(
                 f"{self.title} has no connecting rod whose points are computed; leave --point out"
             )
-        return found_at(self.rod)
+        found: RodEnds = found_at(self.rod)
+        return found
 
     def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
         """Return what pages of points of the rod say of their drives."""

@@ -131,7 +131,8 @@ class AngleQuestion(DriveQuestion):
     def long(self) -> LongColumns | None:
         if len(self.page_columns) * len(self) <= PAGE_CELLS:
             return None
-        return worthwhile(self, "kurbel.motion.long:AngleColumns")
+        found: LongColumns | None = worthwhile(self, "kurbel.motion.long:AngleColumns")
+        return found
 
     @property
     def told(self) -> list[tuple[Label, ...]]:
@@ -286,9 +287,14 @@ class Request(CrankQuestion, AngleQuestion):
 
     def scaled(self, crank: Crank, angles: Sequence[Fraction]) -> Sequence[Digits]:
         """Return the scaled digits of every column at these angles."""
-        if not self.bulk:
-            return columns_in_balls(self.page_columns, crank, angles, self.rounding)
-        return columns_in_floats(self.page_columns, crank, angles, self.rounding)
+        return self.digits_of(self.page_columns, crank, angles)
+
+    def digits_of(
+        self, columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction]
+    ) -> Sequence[Digits]:
+        """Return those of some columns."""
+        by = columns_in_floats if self.bulk else columns_in_balls
+        return by(columns, crank, angles, self.rounding)
 
     def solved(self) -> tuple[Drive, ...]:
         from kurbel.motion.drives import slide_drives

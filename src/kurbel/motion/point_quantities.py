@@ -181,7 +181,8 @@ def of_floats(vector: Vector[Any]) -> Numeric:
     """Return the direction of floats or arrays, in degrees; that of no vector is 0."""
     import numpy as np
 
-    return np.degrees(np.arctan2(vector.across, 0.0 - vector.along)) % TURN
+    found: Numeric = np.degrees(np.arctan2(vector.across, 0.0 - vector.along)) % TURN
+    return found
 
 
 def continued(values: Any, amounts: Any) -> Numeric:
@@ -214,7 +215,7 @@ def digits(made: Made, decimals: int, rounding: str) -> int | None:
 
 
 def _turn(decimals: int) -> int:
-    return TURN * 10**decimals
+    return int(TURN * 10**decimals)
 
 
 def _sector(made: Made) -> int | None:
@@ -268,16 +269,12 @@ class MovedPoint:
     def at(self, circle: Circle[Numeric], kind: Kind) -> At:
         """Return what the kernel calls of its quantities take."""
         rod, reach = self.ends(self.drive, self.method, circle, kind, bool(self.point.beside))
-        return At(rod, self.point.on(kind), reach, kind, self._gain(kind))
-
-    def _gain(self, kind: Kind) -> Numeric | None:
-        if not self.crank.acceleration:
-            return None
-        return gain(self.crank, kind)
+        own = gain(self.crank, kind) if self.crank.acceleration else None
+        return At(rod, self.point.on(kind), reach, kind, own)
 
     def value(self, quantity: Quantity, circle: Any, kind: Kind) -> Numeric:
         """Return a quantity in its unit."""
-        found = quantity.formulas["exact"].kernel(self.at(circle, kind))
+        found: Numeric = quantity.formulas["exact"].kernel(self.at(circle, kind))
         return found * quantity.scale(self.crank, kind) if quantity.scale else found
 
     def certified(self, quantity: Quantity, angle: Fraction, decimals: int, rounding: str) -> int | None:
@@ -299,16 +296,13 @@ class MovedPoint:
 
     def _exact_direction(self, quantity: Quantity, angle: Fraction) -> Fraction | None:
         """Return the direction of what moves as the crank pin that turns evenly: φ and a quarter or two."""
-        if self._is_driven(quantity):
+        # The crank's own acceleration has a part in it.
+        if self.crank.acceleration and vector_of(quantity) is acceleration:
             return None
         rod = self.at(balls().circle(angle), balls()).rod
         if not self.point.is_pin and rod.driven is not rod.pin:
             return None
         return angle + (90 if vector_of(quantity) is velocity else 180)
-
-    def _is_driven(self, quantity: Quantity) -> bool:
-        """Whether the crank's own acceleration has a part in it."""
-        return bool(self.crank.acceleration) and vector_of(quantity) is acceleration
 
 
 def rod(

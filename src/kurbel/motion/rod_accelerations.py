@@ -135,7 +135,8 @@ def _part(part: Part) -> Quantity:
     """A part that p₁ is made of, by any method."""
 
     def kernel(at: At) -> Numeric:
-        return getattr(_moving(at).parts, part.key)
+        found: Numeric = getattr(_moving(at).parts, part.key)
+        return found
 
     head = f"${part.letter}/({UNIT}) = "
     formulas = {method: Formula(kernel, f"{head}{said}$") for method, said in part.printed.items()}

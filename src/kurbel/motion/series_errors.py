@@ -187,7 +187,7 @@ def _number(question: SeriesErrorsRequest, column: Column, place: Place, times: 
     kernel = quantity.formulas["exact"].kernel
 
     def value(kind: Kind) -> Numeric:
-        found = kernel(greatest, kind) * times
+        found: Numeric = kernel(greatest, kind) * times
         return found * quantity.scale(crank, kind) if quantity.scale else found
 
     letter = quantity.key.split("_")[1]

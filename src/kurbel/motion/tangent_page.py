@@ -78,7 +78,7 @@ def _number(question: TangentRequest, column: Column, place: Place, times: int) 
         if not quantity.in_degrees:
             return value(quantity, "exact", crank, square_position(kind.of(crank.ratio)), kind)
         # tan ψ is rational, so that ψ is no rational number of degrees but 0 (and 45, for λ = 1; Niven).
-        return times * quantity.formulas[TANGENT].kernel(ball(crank.ratio).atan() * 180 / kind.pi)
+        return ball(times * quantity.formulas[TANGENT].kernel(ball(crank.ratio).atan() * 180 / kind.pi))
 
     scaled = settled(at, column.places, question.rounding)
     return Number(scaled, column.places)

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any, NamedTuple, TypeAlias
 
 from kurbel.exact.numerals import Label, Number, figures
+from kurbel.kernel.circle import Numeric
 from kurbel.page.labels import plain
 from kurbel.reading.notation import ratio_text
 
@@ -115,7 +116,7 @@ class Quantity(NamedTuple):
     part: Words | None = None
     minutes: bool = False
     stroke: int = 1
-    scale: Callable[..., Any] | None = None
+    scale: Callable[..., Numeric] | None = None
     bound: float = 1.0
     needs: tuple[Need, ...] = ()
     of: str = ""

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import exact_text
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.amounts import FACTORS, known_unit, plain_unit
 from kurbel.reading.given import as_angle, as_crank_angles, as_fraction
 from kurbel.reading.names import did_you_mean
@@ -57,9 +58,10 @@ class Speed:
         if self.value <= 0:
             raise ProblemError(f"the speed is {about(self.value)}/s; it must be above 0")
 
-    def omega(self, numbers: Any) -> Any:
+    def omega(self, numbers: Any) -> Numeric:
         """Return ω in 1/s, on a kind of number."""
-        return numbers.of(2 * self.value) * numbers.pi if self.turns else numbers.of(self.value)
+        found: Numeric = numbers.of(2 * self.value) * numbers.pi if self.turns else numbers.of(self.value)
+        return found
 
 
 @dataclass(frozen=True, slots=True)
