@@ -18,65 +18,35 @@ if TYPE_CHECKING:
     from types import FrameType, TracebackType
     from typing import NoReturn, TextIO
 
-# Name, the function that makes its table or the module of the command, and one line of help.
+# Name, the module of the command, or of the function of its name that makes its table, and one line of help.
 COMMANDS = {
-    "table": ("kurbel.commands.motion:table", "Print a table of piston path, velocity and acceleration."),
-    "forces": ("kurbel.commands.forces:forces", "Print the forces in rod, guide and crank pin."),
-    "inertia": (
-        "kurbel.commands.inertia:inertia",
-        "Print the forces of the moving connecting rod.",
-    ),
-    "solve": ("kurbel.commands.solve:solve", "Print the crank angles at which a condition holds."),
-    "delta": ("kurbel.commands.engine:delta", "Print the degree of irregularity of a steam engine."),
-    "turning": (
-        "kurbel.commands.engine:turning",
-        "Print tangential force and excess energy over the crank angle.",
-    ),
-    "pressures": (
-        "kurbel.commands.power:pressures",
-        "Print the acceleration pressure beside that on the piston.",
-    ),
-    "power": (
-        "kurbel.commands.power:power",
-        "Print the mean pressure, the power, or the sizes for a power.",
-    ),
-    "flywheel": (
-        "kurbel.commands.flywheel:flywheel",
-        "Print the flywheel that keeps an engine or a machine even.",
-    ),
-    "deadcentres": (
-        "kurbel.commands.motion:deadcentres",
-        "Print dead centres, stroke and times of a crank drive.",
-    ),
-    "harmonics": (
-        "kurbel.commands.harmonics:harmonics",
-        "Print the harmonics of the piston's motion or of the torque.",
-    ),
-    "balance": ("kurbel.commands.balance:balance", "Print the free forces and moments of an engine."),
-    "rotor": (
-        "kurbel.commands.rotor:rotor",
-        "Print the unbalance of rotating masses, and what balances it.",
-    ),
-    "locomotive": (
-        "kurbel.commands.rotor:locomotive",
-        "Print hammer blow, swaying couple and balance of a locomotive.",
-    ),
-    "firing": (
-        "kurbel.commands.balance:firing",
-        "Print firing orders, or the cranks that one needs.",
-    ),
-    "sweep": ("kurbel.cli.sweep", "Compute a table at every combination, into a file of columns."),
-    "collate": ("kurbel.cli.books", "Compare printed values, a book's or yours, with recomputed ones."),
-    "verify": ("kurbel.cli.verify", "Compute the numbers of a page a second time."),
-    "sources": ("kurbel.cli.books", "List the books that can be collated."),
-    "example": ("kurbel.cli.books", "Print a worked example of a book, as printed and recomputed."),
-    "plot": ("kurbel.cli.drawn", "Draw a mechanism to scale, paths of points, and how it moves."),
-    "construct": ("kurbel.cli.drawn", "Draw a construction of the books, and print its lengths."),
-    "handbook": ("kurbel.cli.handbook", "Build, check or watch a whole appendix from its manifest."),
-    "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),
-    "layouts": ("kurbel.cli.listing", "List the page layouts."),
-    "quantities": ("kurbel.cli.listing", "List the quantities that columns can show."),
-    "help": ("kurbel.cli.help", "Say what there is for what one wants, or search for a word."),
+    "table": ("commands.motion", "Print a table of piston path, velocity and acceleration."),
+    "forces": ("commands.forces", "Print the forces in rod, guide and crank pin."),
+    "inertia": ("commands.inertia", "Print the forces of the moving connecting rod."),
+    "solve": ("commands.solve", "Print the crank angles at which a condition holds."),
+    "delta": ("commands.engine", "Print the degree of irregularity of a steam engine."),
+    "turning": ("commands.engine", "Print tangential force and excess energy over the crank angle."),
+    "pressures": ("commands.power", "Print the acceleration pressure beside that on the piston."),
+    "power": ("commands.power", "Print the mean pressure, the power, or the sizes for a power."),
+    "flywheel": ("commands.flywheel", "Print the flywheel that keeps an engine or a machine even."),
+    "deadcentres": ("commands.motion", "Print dead centres, stroke and times of a crank drive."),
+    "harmonics": ("commands.harmonics", "Print the harmonics of the piston's motion or of the torque."),
+    "balance": ("commands.balance", "Print the free forces and moments of an engine."),
+    "rotor": ("commands.rotor", "Print the unbalance of rotating masses, and what balances it."),
+    "locomotive": ("commands.rotor", "Print hammer blow, swaying couple and balance of a locomotive."),
+    "firing": ("commands.balance", "Print firing orders, or the cranks that one needs."),
+    "sweep": ("cli.sweep", "Compute a table at every combination, into a file of columns."),
+    "collate": ("cli.books", "Compare printed values, a book's or yours, with recomputed ones."),
+    "verify": ("cli.verify", "Compute the numbers of a page a second time."),
+    "sources": ("cli.books", "List the books that can be collated."),
+    "example": ("cli.books", "Print a worked example of a book, as printed and recomputed."),
+    "plot": ("cli.drawn", "Draw a mechanism to scale, paths of points, and how it moves."),
+    "construct": ("cli.drawn", "Draw a construction of the books, and print its lengths."),
+    "handbook": ("cli.handbook", "Build, check or watch a whole appendix from its manifest."),
+    "inject": ("cli.inject", "Refresh the tables at marked places of your own documents."),
+    "layouts": ("cli.listing", "List the page layouts."),
+    "quantities": ("cli.listing", "List the quantities that columns can show."),
+    "help": ("cli.help", "Say what there is for what one wants, or search for a word."),
 }
 
 # What stands together in the help.

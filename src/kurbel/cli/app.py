@@ -22,10 +22,8 @@ HELP_OPTIONS = ["-h", "--help"]
 @cache
 def command_of(name: str) -> click.Command:
     """Return the command of that name, made of its function where it prints a table."""
-    module, _, function = COMMANDS[name][0].partition(":")
-    found = getattr(importlib.import_module(module), function or name)
-    if not function:
-        assert isinstance(found, click.Command)
+    found = getattr(importlib.import_module(f"kurbel.{COMMANDS[name][0]}"), name)
+    if isinstance(found, click.Command):
         return found
     from kurbel.cli.tables import TableCommand
 

@@ -160,7 +160,7 @@ def _rate(rows: float) -> str:
 
 
 # Those of books have nothing that varies.
-TABLES = tuple(name for name, (place, _) in COMMANDS.items() if ":" in place)
+TABLES = tuple(name for name, (module, _) in COMMANDS.items() if module.startswith("commands."))
 
 
 class _Commands(Group):
@@ -194,7 +194,7 @@ class _Commands(Group):
 
         table = command_of(name)
         assert isinstance(table, TableCommand)
-        return SweepCommand(name, COMMANDS[name][0], table.made_by)
+        return SweepCommand(name, f"kurbel.{COMMANDS[name][0]}:{name}", table.made_by)
 
 
 @click.group(cls=_Commands, subcommand_metavar="COMMAND|FILE.toml [OPTIONS]...")

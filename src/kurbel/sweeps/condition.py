@@ -43,6 +43,11 @@ _COMPARED: Mapping[type, Callable[[Any, Any], Any]] = {
     ast.Eq: operator.eq,
     ast.NotEq: operator.ne,
 }
+# What may stand in a condition.
+_ALLOWED = (
+    *(ast.BoolOp, ast.And, ast.Or, ast.UnaryOp, ast.Not, ast.USub, ast.UAdd),
+    *(ast.BinOp, *_NUMBERS, ast.Compare, *_COMPARED, ast.Name, ast.Load, ast.Constant),
+)
 
 
 @dataclass(frozen=True)
@@ -52,7 +57,9 @@ class Condition:
     text: str
 
     def __post_init__(self) -> None:
-        if not isinstance(self._checked(self.tree), ast.Compare | ast.BoolOp | ast.UnaryOp):
+        if not all(isinstance(one, _ALLOWED) for one in ast.walk(self.tree)):
+            raise NotationError(self.unread)
+        if not isinstance(self.tree, ast.Compare | ast.BoolOp | ast.UnaryOp):
             raise NotationError(f'condition "{self.text[:60]}" compares nothing; {GRAMMAR}')
 
     @cached_property
@@ -60,27 +67,6 @@ class Condition:
         """The parsed text."""
         ratios = _RATIO.sub(r"(\1/\2)", self.text)
         return parsed(ratios, "condition", self.unread, number=notation.number)
-
-    def _checked(self, node: ast.expr) -> ast.expr:
-        """Return the tree if all of it is allowed. Raises NotationError."""
-        match node:
-            case ast.BoolOp(values=values):
-                parts = values
-            case ast.UnaryOp(op=ast.Not() | ast.USub() | ast.UAdd(), operand=one):
-                parts = [one]
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in _NUMBERS:
-                parts = [left, right]
-            case ast.Compare(left=left, ops=ops, comparators=others) if all(
-                type(op) in _COMPARED for op in ops
-            ):
-                parts = [left, *others]
-            case ast.Name() | ast.Constant():
-                parts = []
-            case _:
-                raise NotationError(self.unread)
-        for one in parts:
-            self._checked(one)
-        return node
 
     @property
     def unread(self) -> str:

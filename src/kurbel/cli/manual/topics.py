@@ -8,7 +8,7 @@ import shlex
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from typing import NamedTuple, TypeGuard
+from typing import NamedTuple
 
 import click
 
@@ -133,7 +133,7 @@ def options_of(command: click.Command) -> Mapping[str, click.Option]:
     """Return the options of a command by their names."""
     # Of `-h, --help` click keeps what the first context has.
     params = command.get_params(click.Context(command, help_option_names=HELP_OPTIONS))
-    return {name_of(one): one for one in params if _is_option(one)}
+    return {name_of(one): one for one in params if isinstance(one, click.Option)}
 
 
 def name_of(option: click.Option) -> str:
@@ -144,10 +144,6 @@ def name_of(option: click.Option) -> str:
 def flag_of(option: click.Option) -> str:
     """Return an option as it is typed, in the long way if there is one."""
     return max(option.opts, key=len)
-
-
-def _is_option(one: click.Parameter) -> TypeGuard[click.Option]:
-    return isinstance(one, click.Option)
 
 
 def is_sweep(command: click.Command) -> bool:
