@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shlex
-import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial, wraps
@@ -274,11 +273,10 @@ def _bar_of(options: Options) -> Bar:
 
 def _bar(steps: Iterable[Answer], count: int) -> Iterator[Answer]:
     """Pass the steps on and show on a terminal how many of them are done."""
-    if count and sys.stderr.isatty():
-        with click.progressbar(steps, count, f"{count} parts", file=sys.stderr) as bar:
-            yield from bar
-    else:
-        yield from steps
+    with screen.bar(count, f"{count} parts") as done:
+        for step in steps:
+            yield step
+            done(1)
 
 
 # So many characters of a text tell which it is.

@@ -141,31 +141,52 @@ def _without_ctrl_c() -> Iterator[None]:
 
 
 @contextmanager
+def bar(
+    count: int, label: str, speed: Callable[[float], str] | None = None
+) -> Iterator[Callable[[int], None]]:
+    """Give what is told of steps that are done. A bar on the terminal, if it is any, shows how many these are
+    of the count, which may be none, and the `speed` of so many a second."""
+    if not count or not sys.stderr.isatty():
+        yield lambda done: None
+        return
+    from click import progressbar
+
+    def rate(_: object) -> str | None:
+        each = shown.time_per_iteration
+        return speed and (speed(1 / each) if each else "")
+
+    shown = progressbar(length=count, label=label, item_show_func=rate, file=sys.stderr)
+    with shown:
+        yield lambda done: shown.update(done, "")
+
+
+@contextmanager
 def counted(patience: float = PATIENCE) -> Iterator[None]:
     """Show on a terminal how many numbers of a page are done, where that takes long."""
+    if not sys.stderr.isatty():
+        yield
+        return
     from kurbel.page.build import WATCHER
 
     with ExitStack() as bars:
-        token = WATCHER.set(partial(_bar, bars, monotonic() + patience))
+        token = WATCHER.set(partial(_counting, bars, monotonic() + patience))
         try:
             yield
         finally:
             WATCHER.reset(token)
 
 
-def _bar(bars: ExitStack, begin: float, count: int) -> Callable[[], None]:
+def _counting(bars: ExitStack, begin: float, count: int) -> Callable[[], None]:
     """Return what counts the numbers, on a bar as soon as it is time to begin."""
-    done, bar = 0, None
+    left, tell = 0, None
 
     def passed() -> None:
-        nonlocal done, bar
-        done += 1
-        if bar is not None:
-            bar.update(1)
-        elif monotonic() >= begin:
-            from click import progressbar
-
-            bar = bars.enter_context(progressbar(length=count, label=f"{count} numbers", file=sys.stderr))
-            bar.update(done)
+        nonlocal left, tell
+        left += 1
+        if tell is None and monotonic() >= begin:
+            tell = bars.enter_context(bar(count, f"{count} numbers"))
+        if tell is not None:
+            tell(left)
+            left = 0
 
     return passed

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from kurbel.cli import COMMANDS
+from kurbel.cli import COMMANDS, screen
 from kurbel.cli.app import Group, command_of
 from kurbel.cli.manual.topics import topics_of
 from kurbel.cli.options import FileName, Option, Type, click_option, machine_option, output_option
@@ -133,24 +132,9 @@ def running(asked: SweepOptions, sweep: Sweep, target: str) -> Iterator[SweepRun
     from kurbel.sweeps.run import SweepRunner
 
     how = SweepRunner(asked.scheduler, asked.jobs, asked.resume, asked.restart)
-    with _bar(sweep, target) as watch:
+    count = len(sweep) if len(sweep) > sweep.rows_at_once else 0
+    with screen.bar(count, target, _rate) as watch:
         yield replace(how, watch=watch)
-
-
-@contextmanager
-def _bar(sweep: Sweep, target: str) -> Iterator[Callable[[int], None]]:
-    """Give what is told of rows that are done; it shows them where a sweep has several parts."""
-    if len(sweep) <= sweep.rows_at_once or not sys.stderr.isatty():
-        yield lambda rows: None
-        return
-
-    def rate(_: object) -> str:
-        each = bar.time_per_iteration
-        return _rate(1 / each) if each else ""
-
-    bar = click.progressbar(length=len(sweep), label=target, item_show_func=rate, file=sys.stderr)
-    with bar:
-        yield lambda rows: bar.update(rows, "")
 
 
 def _rate(rows: float) -> str:

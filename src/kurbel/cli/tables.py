@@ -7,7 +7,7 @@ import os
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import replace
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -136,7 +136,7 @@ class TableCommand(MakingCommand):
             request = self.made_by.request(question, given)
             _write(record_chunks(question, request, form, decimal), printing.output, len(question))
         else:
-            with _numbers_counted():
+            with screen.counted():
                 page = self.made_by.built(question, given)
             printing.print(page)
 
@@ -278,42 +278,32 @@ def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
     if output == "-" and sys.stdout.isatty():
         show(chain([first], pieces), has_words=not rows)
         return
-    with whole_file(output) as stream, _bar(rows) as bar:
+    with whole_file(output) as stream, screen.bar(_chunks(rows), f"{rows} rows") as done:
         stream.write(first)
         for piece in pieces:
             stream.write(piece)
-            if bar:
-                bar.update(1)
+            done(1)
+
+
+def _chunks(rows: int) -> int:
+    """Return how many chunks a long table has, of whose rows a bar tells."""
+    if rows < BAR_ROWS:
+        return 0
+    from kurbel.motion.motion_page import CHUNK
+
+    return -(-rows // CHUNK)
 
 
 @contextmanager
 def _counted(page: Table) -> Iterator[Table]:
     """Give an interactive page whose steps a bar on the terminal counts, if they are many."""
     steps = page.steps
-    if steps is None or len(steps) < BAR_STEPS or not sys.stderr.isatty():
-        yield page
-        return
-    with click.progressbar(length=len(steps), label=f"{len(steps)} steps", file=sys.stderr) as bar:
+    count = len(steps or ())
+    with screen.bar(count if count >= BAR_STEPS else 0, f"{count} steps") as done:
 
         def make() -> Iterator[Step]:
-            for step in steps:
+            for step in steps or ():
                 yield step
-                bar.update(1)
+                done(1)
 
-        yield replace(page, steps=replace(steps, make=make))
-
-
-def _numbers_counted() -> AbstractContextManager[None]:
-    """A bar on the terminal where the numbers of a page take long."""
-    if not sys.stderr.isatty():
-        return nullcontext()
-    return screen.counted()
-
-
-def _bar(rows: int) -> AbstractContextManager[Any]:
-    """A bar on the terminal for long tables, counted in chunks of rows."""
-    if rows < BAR_ROWS or not sys.stderr.isatty():
-        return nullcontext()
-    from kurbel.motion.motion_page import CHUNK
-
-    return click.progressbar(length=-(-rows // CHUNK), label=f"{rows} rows", file=sys.stderr)
+        yield replace(page, steps=steps and replace(steps, make=make))
