@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import shlex
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial, wraps
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import islice
 from typing import Any, NamedTuple
 
@@ -51,21 +51,26 @@ def handbook() -> None:
     """  # fmt: skip
 
 
-FOLDER = click.argument("folder", type=click.Path(), default=".")
-FOLDERS = click.argument("folders", nargs=-1, type=click.Path(), metavar="[FOLDER]...")
-ONLY = click.option("--only", multiple=True, metavar="NAME",
-                    help="Table, figure or chapter to make, and nothing else; repeatable.")  # fmt: skip
-OUTSIDE = click.option("--allow-outside", is_flag=True,
-                       help="Files that the manifest names may lie outside of its folder.")  # fmt: skip
-QUIET = click.option("-q", "--quiet", is_flag=True, help="Say only what is wrong.")
-JOBS = click.option("-j", "--jobs", cls=Option, type=Type(Count("jobs", 1, MOST_JOBS)), metavar="N",
-                    help="Processes at once; default: one for each core.")  # fmt: skip
-CLUSTER = click.option("--scheduler", metavar="ADDRESS",
-                       help="Dask cluster that makes the parts: tcp://HOST:8786.")  # fmt: skip
+FOLDER = click.Argument(["folder"], type=click.Path(), default=".")
+OUTSIDE = click.Option(
+    ["--allow-outside"], is_flag=True, help="Files that the manifest names may lie outside of its folder."
+)
+# What the commands have that build.
+BUILDING = [
+    click.Argument(["folders"], nargs=-1, type=click.Path(), metavar="[FOLDER]..."),
+    click.Option(["--only"], multiple=True, metavar="NAME",
+                 help="Table, figure or chapter to make, and nothing else; repeatable."),
+    Option(["-j", "--jobs"], type=Type(Count("jobs", 1, MOST_JOBS)), metavar="N",
+           help="Processes at once; default: one for each core."),
+    click.Option(["--scheduler"], metavar="ADDRESS",
+                 help="Dask cluster that makes the parts: tcp://HOST:8786."),
+    OUTSIDE,
+    click.Option(["-q", "--quiet"], is_flag=True, help="Say only what is wrong."),
+]  # fmt: skip
 
 
 class Options(NamedTuple):
-    """What the commands have that build."""
+    """What is given to the commands that build."""
 
     folders: tuple[str, ...]
     only: tuple[str, ...]
@@ -75,38 +80,25 @@ class Options(NamedTuple):
     quiet: bool
 
 
-def building(command: Callable[[Options], int]) -> Callable[..., int]:
-    """Add the options of the commands that build."""
-
-    @wraps(command)
-    def given(folders: tuple[str, ...], **options: Any) -> int:
-        return command(Options(folders or (".",), **options))
-
-    return FOLDERS(ONLY(JOBS(CLUSTER(OUTSIDE(QUIET(given))))))
-
-
 @handbook.command(
-    params=[lang_option("handbook")], short_help="Write a first manifest, which builds at once."
+    params=[lang_option("handbook"), FOLDER], short_help="Write a first manifest, which builds at once."
 )
-@FOLDER
 def init(folder: str, lang: str) -> None:
     """Write a manifest with comments, which builds at once, into FOLDER."""
     path = write_first_manifest(folder, lang)
     say(f"{path} is written; build it with: {_build_words(folder)}")
 
 
-@handbook.command(short_help="Build what changed.")
-@building
-def build(options: Options) -> int:
+@handbook.command(params=BUILDING, short_help="Build what changed.")
+def build(**given: Any) -> int:
     """Build what changed of the handbook in FOLDER, or in several: tables, figures and documents.
 
     With --only documents stay as they are.
     """
-    return _build(options)
+    return _build(Options(**given))
 
 
 def _build(options: Options) -> int:
-
     handbooks, wrong = _opened_all(options)
     jobs, by = options.jobs or cores(), by_whom(options.scheduler)
     builds = built(handbooks, make_part, jobs, _bar_of(options), partial(_tell, options), by)
@@ -130,14 +122,14 @@ def _counts(builds: Sequence[Build]) -> str:
     return f"{written} written, {unchanged} unchanged" + (f", {removed} removed" if removed else "")
 
 
-@handbook.command(short_help="Tell whether what was built is up to date.")
-@building
-def check(options: Options) -> int:
+@handbook.command(params=BUILDING, short_help="Tell whether what was built is up to date.")
+def check(**given: Any) -> int:
     """Tell whether what was built in FOLDER is what a build would write now; exit with 1 if not.
 
     All is built anew, elsewhere. The stale files and their differences go to standard output; with --quiet
     the files alone.
     """
+    options = Options(**given)
     handbooks, wrong = _opened_all(options)
     jobs, by = options.jobs or cores(), by_whom(options.scheduler)
     found = checked(handbooks, make_part, jobs, _bar_of(options), by)
@@ -175,23 +167,21 @@ def _checked(one: CheckedHandbook, options: Options) -> bool:
     return bool(one.stale or failed or one.anew.ended)
 
 
-@handbook.command("list", short_help="List what would be built.")
-@FOLDER
-@OUTSIDE
+@handbook.command("list", params=[FOLDER, OUTSIDE], short_help="List what would be built.")
 def listed(folder: str, allow_outside: bool) -> None:
     """List the chapters and parts of the handbook in FOLDER, and what a build would make anew."""
     show_handbook(*_opened(folder, allow_outside))
 
 
-@handbook.command(short_help="Build again each time a file is saved.")
-@building
-def watch(options: Options) -> int:
+@handbook.command(params=BUILDING, short_help="Build again each time a file is saved.")
+def watch(**given: Any) -> int:
     """Build the handbook in FOLDER, or several, and again each time a file is saved, until Ctrl-C."""
+    options = Options(**given)
 
     def look() -> Seen:
         return {
             path: seen
-            for one in options.folders
+            for one in options.folders or (".",)
             for path, seen in glance_at(one, options.allow_outside).items()
         }
 
@@ -220,7 +210,7 @@ def _opened_all(options: Options) -> tuple[list[Handbook], bool]:
     wrong = False
     # Each once, under the first of its names.
     names: dict[str, str] = {}
-    for given in options.folders:
+    for given in options.folders or (".",):
         names.setdefault(os.path.realpath(manifest_path(given)), given)
     for given in names.values():
         try:
