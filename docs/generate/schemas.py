@@ -11,7 +11,7 @@ from msgspec import inspect
 
 import kurbel
 from kurbel.cli.asking import option_names
-from kurbel.cli.sweep_command import SweepFile
+from kurbel.cli.sweep_command import MODEL
 from kurbel.commands.machine_file import machine_model
 from kurbel.handbook.model import SCHEMA, HandbookKeys
 from kurbel.page.layouts import LayoutFile
@@ -31,7 +31,7 @@ def schemas() -> dict[Path, dict[str, Any]]:
     return {
         PACKAGE / "commands" / "machine.schema.json": schema_of(machine_model(), "A machine for kurbel"),
         PACKAGE / "page" / "layout.schema.json": schema_of(LayoutFile, "A page layout for kurbel"),
-        PACKAGE / "sweeps" / "sweep.schema.json": schema_of(SweepFile, "A sweep for kurbel"),
+        PACKAGE / "sweeps" / "sweep.schema.json": schema_of(MODEL, "A sweep for kurbel"),
         PACKAGE / "handbook" / SCHEMA: handbook_schema(option_names()),
     }
 

@@ -5,18 +5,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, cast
 
 import click
 from click.core import augment_usage_errors
-from msgspec import Struct
+from msgspec import Struct, defstruct
 
 from kurbel.cli import say
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.manual.topics import SWEEPS
 from kurbel.cli.options import FileName, TypedOptions, help_of
 from kurbel.cli.sweep import (
-    MOST_SEED,
     TABLES,
     SweepOptions,
     own_options,
@@ -24,11 +23,10 @@ from kurbel.cli.sweep import (
     sweep_options,
 )
 from kurbel.commands.options import FILE as A_FILE
-from kurbel.commands.options import FLAG, Option
+from kurbel.commands.options import FLAG, Count, Option
 from kurbel.commands.part import Origin, Values, flag_of
 from kurbel.commands.subject import Command
 from kurbel.errors import FailedError, KurbelError
-from kurbel.exact.numerals import MOST_DIGITS
 from kurbel.reading.environment import need
 from kurbel.reading.given import choose
 from kurbel.reading.toml_file import Fault, TextChoice, TomlFile, TomlKind, about, within
@@ -71,7 +69,8 @@ class Listed(tuple[object, ...]):
 
 
 class SweepFile(Struct, frozen=True):
-    """A sweep: a command, what is the same everywhere, what varies, and where its rows go."""
+    """A sweep: a command, what is the same everywhere, what varies, and where its rows go. MODEL has the
+    options of sweeps beside."""
 
     NOUN: ClassVar[str] = "key of a sweep"
 
@@ -79,7 +78,6 @@ class SweepFile(Struct, frozen=True):
     output: Annotated[
         str | None, about("The file that is written, beside this one: its suffix says the form.")
     ] = None
-    format: Annotated[str | None, about("The form of the file, where its suffix does not say it.")] = None
     axes: Annotated[
         dict[str, Listed] | None,
         about("What varies, in this order, the last fastest: options with a range, or a list of values."),
@@ -88,21 +86,23 @@ class SweepFile(Struct, frozen=True):
         dict[str, Listed] | None, about("Options of the command that are the same everywhere.")
     ] = None
     columns: Annotated[tuple[str, ...], about("The columns, as in `kurbel quantities`.")] = ()
-    zip: Annotated[
-        tuple[str, ...], about('Axes that go through their values together: "eps,back", a text a group.')
-    ] = ()
-    only: Annotated[
-        tuple[str, ...], about("Conditions: combinations at which one does not hold are left out.")
-    ] = ()
-    sample: Annotated[
-        str | None, about("Points between the ends of ranges in place of a grid.", "sobol:1024")
-    ] = None
-    seed: Annotated[int, about("Of the sample: other points for another number."), within(0, MOST_SEED)] = 0
-    digits: Annotated[
-        Annotated[int, within(0, MOST_DIGITS)] | None, about("Certified decimals in place of floats.")
-    ] = None
-    bounds: Annotated[bool, about("Whether each float has a column that says how far it may be off.")] = False
-    strict: Annotated[bool, about("Whether the first combination that is refused ends the run.")] = False
+
+
+# What a file says of the sweep itself, as it may be typed.
+OWN = ("format", "zip", "only", "sample", "seed", "digits", "bounds", "strict")
+
+
+def _key(option: Option[object]) -> tuple[str, Any, None]:
+    """Return an option of sweeps as a key of their files: its name, its type and its default."""
+    kind: Any = bool if option.kind is FLAG else tuple[str, ...] if option.many else str
+    if isinstance(option.kind, Count):
+        kind = Annotated[int, within(*option.kind.within)]
+    return option.name, Annotated[kind | None, about(option.help)], None
+
+
+MODEL = defstruct(
+    "SweepFile", [_key(SweepOptions.options()[name]) for name in OWN], bases=(SweepFile,), frozen=True
+)
 
 
 class ReadFile:
@@ -110,7 +110,7 @@ class ReadFile:
 
     def __init__(self, path: str) -> None:
         self.file = TomlFile(path, KIND)
-        self.declared = self.file.read(SweepFile)
+        self.declared = cast("SweepFile", self.file.read(MODEL))
         self.folder = os.path.dirname(path)
 
     def beside(self, name: str) -> str:
@@ -184,11 +184,8 @@ def _words(read: ReadFile, option: click.Option, given: Sequence[Any]) -> Iterat
 
 def _of_sweeps(read: ReadFile) -> Iterator[tuple[str, Sequence[Any]]]:
     """Yield what the file says of the sweep itself by the names of the options, each as a list of values."""
-    said = {
-        name: getattr(read.declared, name) for name in SweepFile.__struct_fields__[1:] if name not in SECTIONS
-    }
-    said |= {"columns": ",".join(said["columns"]), "seed": said["seed"] if said["sample"] else None}
-    for name, value in said.items():
+    said = {name: getattr(read.declared, name) for name in ("output", *OWN)}
+    for name, value in (said | {"columns": ",".join(read.declared.columns)}).items():
         yield name, value if isinstance(value, tuple) else [] if value in (None, "") else [value]
 
 

@@ -144,13 +144,14 @@ class Count(Kind):
     def __init__(self, what: str, least: int, most: int, wrong: str = "is no such number") -> None:
         self.what = what
         self.wrong = wrong
+        self.within = least, most
         self.allowed = {str(count): count for count in range(least, most + 1)}
-        self.bounds = f"{least} to {most}"
 
     def read(self, text: str, typed: Mapping[str, object]) -> int:
         if str(text) not in self.allowed:
+            least, most = self.within
             raise NotationError(
-                f'{self.what} "{text[:40]}" {self.wrong}; write a whole number from {self.bounds}'
+                f'{self.what} "{text[:40]}" {self.wrong}; write a whole number from {least} to {most}'
             )
         return self.allowed[str(text)]
 
