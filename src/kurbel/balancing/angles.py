@@ -34,6 +34,7 @@ from kurbel.kernel.harmonics import Star
 from kurbel.kernel.kinematics import piston_acceleration
 from kurbel.page.axes import AngleAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
+from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
 # What a cylinder's force counts: 1, or its arm.
@@ -168,21 +169,21 @@ class LineAxis(OrderAxis):
 
     def __init__(self, question: Any) -> None:
         super().__init__(question)
-        self._things: Sequence[Any] = question.lines
+        self.orders: Sequence[int | None] = question.lines
         self.size = self.count = len(question.lines)
         self.key_of_all = ALL if question.method == "exact" else "sum"
         self.all = WORDS[self.key_of_all][question.lang]
 
     def value(self, place: Place) -> Number | Label:
-        order = self._things[place["order"]]
+        order = self.orders[place["order"]]
         return self.key_of_all if order is None else Number(order, 0)
 
     def stub(self, place: Place) -> Number | Label:
-        order = self._things[place["order"]]
+        order = self.orders[place["order"]]
         return self.all if order is None else Number(order, 0)
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        return super().heads(place) if self._things[place["order"]] is not None else (self.all,)
+        return super().heads(place) if self.orders[place["order"]] is not None else (self.all,)
 
     def field(self) -> Field:
         return super().field()._replace(decimals=None)
@@ -206,7 +207,8 @@ def _notes(question: AngleRequest) -> Iterator[Label]:
     yield from balance_notes(question)
 
 
-AT_ANGLES = SUBJECT._replace(
+_BALANCED: Subject[AngleRequest] = SUBJECT
+AT_ANGLES = _BALANCED._replace(
     key="balance at angles",
     layout="balance-angle",
     command="balance --angle 30",

@@ -45,6 +45,7 @@ from kurbel.exact.search import SHARP_BITS, Summit, Zero, isolate
 from kurbel.kernel.harmonics import Star
 from kurbel.page.axes import Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry
+from kurbel.page.subject import Subject
 
 # The value, its slope and half its second slope.
 TERMS = 3
@@ -385,7 +386,8 @@ def _notes(question: ExtremesRequest) -> Iterator[Label]:
     yield from balance_notes(question)
 
 
-EXTREMES = SUBJECT._replace(
+_BALANCED: Subject[ExtremesRequest] = SUBJECT
+EXTREMES = _BALANCED._replace(
     key="balance extremes",
     layout="balance-greatest",
     command="balance --layout balance-greatest",

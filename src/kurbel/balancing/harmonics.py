@@ -21,7 +21,7 @@ from kurbel.kernel import harmonics
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Term
 from kurbel.motion.evaluation import METHODS
-from kurbel.page.axes import ListAxis, Place, RatioAxis
+from kurbel.page.axes import Place, RatioAxis, UnletteredAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words
 from kurbel.page.subject import Question, Subject
@@ -223,7 +223,7 @@ def _caption(question: HarmonicsRequest) -> Label:
     return caption(question).replace("{quantity}", question.page_columns[0].quantity.name[question.lang])
 
 
-class OrderAxis(ListAxis):
+class OrderAxis(UnletteredAxis):
     """The orders of harmonics."""
 
     def __init__(self, question: Any) -> None:
@@ -235,9 +235,6 @@ class OrderAxis(ListAxis):
             lambda order: f"$k = {order}$",
             f"{name} $k$",
         )
-
-    def stub(self, place: Place) -> Number | Label:
-        return Number(self._things[place["order"]], 0)
 
 
 class _HeadedRatioAxis(RatioAxis):

@@ -4,26 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kurbel.engine.engine import Assembly, Engine
 from kurbel.engine.engine_quantities import ENGINE_METHODS
-from kurbel.engine.loads.words import (
-    LoadWords,
-    lettered,
-    load_text,
-    words_of,
-)
+from kurbel.engine.loads.words import LoadWords, lettered, load_text, words_of
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Label
 from kurbel.motion import notes as motion
-from kurbel.page.axes import (
-    angle_text,
-)
+from kurbel.page.axes import angle_text
 from kurbel.page.labels import unprompted
 from kurbel.page.quantity import AND, FOR, Texts, filled, words
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import plain, ratio_text
+
+if TYPE_CHECKING:
+    from kurbel.engine.power.power_page import PowerRequest
 
 CYLINDERS = Texts("engine", "cylinders")
 
@@ -89,12 +85,12 @@ def named_ratio(request: EngineRequest, index: int) -> Label:
     return f"${request.layout.ratio_symbol} = {ratio_text(request.ratios[index])}$"
 
 
-def load_label(request: EngineRequest, index: int) -> Label:
+def load_label(request: EngineRequest | PowerRequest, index: int) -> Label:
     """Return what tells a load from others as pages print it: a number or a name."""
     return request.words.label(request.steams[index], request.lang)
 
 
-def named_load(request: EngineRequest, index: int) -> Label:
+def named_load(request: EngineRequest | PowerRequest, index: int) -> Label:
     """Return the same with its letter, if it has one."""
     return lettered(request.words, request.steams[index], request.lang)
 

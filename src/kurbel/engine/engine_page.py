@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING
 
 from kurbel.engine.captions import caption, load_label, named_load
 from kurbel.engine.cylinder import WHOLE
@@ -30,6 +30,9 @@ from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import OVER_AXES, Subject
 from kurbel.page.table import Field
 
+if TYPE_CHECKING:
+    from kurbel.engine.power.power_page import PowerRequest
+
 STROKE = words("Hub|Stroke")
 TARGET = words("Ungleichförmigkeitsgrad, zulässiger|Degree of irregularity allowed")
 
@@ -37,7 +40,7 @@ TARGET = words("Ungleichförmigkeitsgrad, zulässiger|Degree of irregularity all
 class LoadAxis(Axis):
     """The loads: expansion ratios ε, pressure ratios Π, or the one card that stands in their place."""
 
-    def __init__(self, request: EngineRequest) -> None:
+    def __init__(self, request: EngineRequest | PowerRequest) -> None:
         super().__init__(len(request.steams))
         self.request, self.lang = request, request.lang
         self.words = request.words
@@ -130,8 +133,8 @@ def _subject(
     command: str,
     of: tuple[str, ...],
     drawn: str = OVER_AXES,
-    **inner: Callable[[Any], Axis],
-) -> Subject:
+    **inner: Callable[[EngineRequest], Axis],
+) -> Subject[EngineRequest]:
     """Return pages of quantities that are `of` one of these, with an inner axis or none."""
     return Subject(
         key=key,

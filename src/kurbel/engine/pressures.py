@@ -29,7 +29,7 @@ from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figure, nearest
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.notes import digits_text, moving_notes
-from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
+from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, UnletteredAxis, angle_decimals
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry, filled, for_ratio
 from kurbel.page.subject import OVER_AXES, Question, Subject
@@ -244,15 +244,6 @@ def _stroke_axis(question: PressuresRequest) -> ListAxis:
     return ListAxis(range(len(names)), field, lambda stroke: Number(stroke + 1, 0), names.__getitem__)
 
 
-class _ShareAxis(ListAxis):
-    """Shares of the stroke, in the stub without their letters."""
-
-    def stub(self, place: Place) -> Number | Label:
-        found = self.value(place)
-        assert isinstance(found, Number | str)
-        return found
-
-
 def _share_axis(question: PressuresRequest) -> ListAxis:
     decimals = angle_decimals(question.shares)
 
@@ -260,7 +251,7 @@ def _share_axis(question: PressuresRequest) -> ListAxis:
         return nearest(share, decimals) if decimals is not None else f"${share}$"
 
     field = Field("share", PRESSED["share"][question.lang], "$x/S$", "", decimals)
-    return _ShareAxis(question.shares, field, number, lambda share: f"$x/S = {figure(share)}$", "$x/S$")
+    return UnletteredAxis(question.shares, field, number, lambda share: f"$x/S = {figure(share)}$", "$x/S$")
 
 
 def _number(question: PressuresRequest, column: Column, place: Place, times: int) -> Number | None:

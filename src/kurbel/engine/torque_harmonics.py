@@ -37,7 +37,7 @@ from kurbel.exact.certify import NEVER_TIES, at_bits
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Star
-from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place, RatioAxis
+from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place, RatioAxis, UnletteredAxis
 from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note, Value
@@ -320,7 +320,7 @@ def _beside(request: TorqueRequest, column: Column) -> tuple[Column, ...]:
     return () if {STAR, SPEED}.intersection(column.quantity.needs) else errors_beside(request, column)
 
 
-class _OrderAxis(ListAxis):
+class _OrderAxis(UnletteredAxis):
     """The orders, whole ones or halves."""
 
     def __init__(self, request: TorqueRequest) -> None:
@@ -333,9 +333,6 @@ class _OrderAxis(ListAxis):
             lambda order: f"$k = {plain(order)}$",
             f"{name} $k$",
         )
-
-    def stub(self, place: Place) -> Number:
-        return nearest(self._things[place["order"]], self.decimals)
 
 
 def _member_axis(request: TorqueRequest) -> ListAxis:
@@ -364,14 +361,14 @@ def _notes(request: TorqueRequest) -> Iterator[Label | Note]:
     yield HARMONICS["zero"][lang]
 
 
-def _subject(key: str, layout: str, axes: Mapping[str, Callable[[Any], Axis]]) -> Subject:
+def _subject(key: str, layout: str) -> Subject[TorqueRequest]:
     names = {"expansion": "epsilon"}
     return Subject(
         key=key,
         layout=layout,
         command="harmonics --quantity torque",
-        axes={**axes, "column": ColumnAxis},
-        axis_keys=tuple(names.get(name, name) for name in axes),
+        axes={**_AXES, "column": ColumnAxis},
+        axis_keys=tuple(names.get(name, name) for name in _AXES),
         quantities=registry,
         number=_number,
         caption=caption,
@@ -383,12 +380,12 @@ def _subject(key: str, layout: str, axes: Mapping[str, Callable[[Any], Axis]]) -
     )
 
 
-_AXES: Mapping[str, Callable[[Any], Axis]] = {
+_AXES: Mapping[str, Callable[[TorqueRequest], Axis]] = {
     "expansion": LoadAxis, "ratio": RatioAxis, "cylinder": _member_axis, "order": _OrderAxis,
 }  # fmt: skip
 
 
-TORQUE = _subject("torque", "torque-harmonics", _AXES)
+TORQUE = _subject("torque", "torque-harmonics")
 
 
-EXCITING = _subject(EXCITATION, EXCITATION, _AXES)
+EXCITING = _subject(EXCITATION, EXCITATION)

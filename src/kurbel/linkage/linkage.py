@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from types import MappingProxyType
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, TypeVar
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
@@ -116,6 +116,7 @@ def in_strokes(path: Quantity) -> Quantity:
     return path._replace(key="path_stroke", heading=head, unit=unit, names=("s",), formulas={"exact": share})
 
 
+Linked = TypeVar("Linked", bound="LinkageRequest")
 FORCES: Mapping[str, Force] = {
     **{key: one for key, one in motion_quantities.FORCES.items() if key not in motion_quantities.EFFORT},
     "rod_force": Force(
@@ -198,10 +199,10 @@ def linkage_subject(
     layout: str,
     command: str,
     quantities: Callable[[], Mapping[str, Quantity]],
-    notes: Callable[[LinkageRequest], Iterator[Label]],
-    caption: Callable[[LinkageRequest], Label] | None = None,
+    notes: Callable[[Linked], Iterator[Label]],
+    caption: Callable[[Linked], Label] | None = None,
     ratios: bool = False,
-) -> Subject:
+) -> Subject[Linked]:
     """Return what pages of a drive are about; `ratios` if it has a rod."""
 
     def listed() -> Iterator[tuple[str, Quantity]]:

@@ -314,13 +314,13 @@ def _number(question: CoupledRequest, column: Column, place: Mapping[str, int], 
     return Number(settled(at, column.places, question.rounding), column.places)
 
 
-def _caption(question: Any) -> Label:
+def _caption(question: CoupledRequest) -> Label:
     axles = question.axles
     parts = {"{axles}": str(len(axles.shares)), "{driven}": str(axles.driven)}
     return filled(question.layout.caption[question.lang], parts.items())
 
 
-def _notes(question: Any) -> Iterator[Label]:
+def _notes(question: CoupledRequest) -> Iterator[Label]:
     shown = [column.quantity.formulas["exact"] for column in question.page_columns]
     if line := formula_line(shown):
         yield line

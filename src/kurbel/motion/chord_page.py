@@ -25,6 +25,7 @@ from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled, for_ratio
+from kurbel.page.subject import Subject
 
 # Of a first guess, which exact digits put right, and so many of them are sure.
 _BITS, _SURE_BITS = 128, 40
@@ -179,7 +180,8 @@ def _notes(question: ChordRequest) -> Iterator[Label]:
     yield from drive_notes(question.cranks, lang)
 
 
-SUBJECT = MOTION._replace(
+_OF_MOTION: Subject[ChordRequest] = MOTION
+SUBJECT = _OF_MOTION._replace(
     key="successive",
     layout="roetscher-gf",
     command="table --layout roetscher-gf",

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from typing import Any, Self
 
 from kurbel.drive.crank import Diameters
 from kurbel.drive.mechanisms import MECHANISMS
@@ -203,7 +203,7 @@ class PointsRequest(AngleQuestion):
         return RATIO in self.mechanism.takes
 
     @property
-    def subject(self) -> Subject:
+    def subject(self) -> Subject[Self]:
         return SUBJECT if self.has_ratio else RODLESS
 
     @property
@@ -284,10 +284,6 @@ class PointAxis(ListAxis):
             lambda one: one.value(decimals),
             lambda one: one.label,
         )
-
-    def over_group(self, place: Place) -> Label:
-        point: RodPoint = self._things[place["point"]]
-        return point.label
 
 
 def _curve(quantity: Quantity, moved: MovedPoint, at: Circle[Numeric], kind: Kind) -> Numeric:

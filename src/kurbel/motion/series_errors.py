@@ -32,7 +32,7 @@ from kurbel.kernel.series import terms_of, versine_term
 from kurbel.motion.entries import in_units
 from kurbel.motion.motion_page import CrankQuestion
 from kurbel.motion.notes import drive_notes
-from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
+from kurbel.page.axes import ColumnAxis, Place, RatioAxis, UnletteredAxis
 from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled, for_ratio, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
@@ -159,22 +159,16 @@ class SeriesErrorsRequest(CrankQuestion):
         return cache(lambda ratio, order: Greatest(self.ratios[ratio], self.orders[order]))
 
 
-def _order_axis(question: SeriesErrorsRequest) -> ListAxis:
+def _order_axis(question: SeriesErrorsRequest) -> UnletteredAxis:
+    """The highest powers of λ."""
     name = WORDS["order"][question.lang]
-    return OrderAxis(
+    return UnletteredAxis(
         question.orders,
         Field("order", name, "$n$", "", 0),
         lambda order: Number(order, 0),
         lambda order: f"$n = {order}$",
         f"{name} $n$",
     )
-
-
-class OrderAxis(ListAxis):
-    """The highest powers of λ."""
-
-    def stub(self, place: Place) -> Number:
-        return Number(self._things[place["order"]], 0)
 
 
 def _number(question: SeriesErrorsRequest, column: Column, place: Place, times: int) -> Number | None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import FoundAngle
@@ -17,6 +17,10 @@ from kurbel.page.quantity import words
 from kurbel.page.table import Cell, Ditto, Field, Value
 from kurbel.reading.notation import Progression, plain, ratio_text
 
+if TYPE_CHECKING:
+    from kurbel.page.subject import Question
+
+Thing = TypeVar("Thing")
 RATIO = words("Kurbelverhältnis R:L|Crank ratio R:L")
 PHI = words("Kurbelwinkel|Crank angle")
 # An angle that is no finite decimal, such as 0°20', is given to programs to this many places.
@@ -89,31 +93,39 @@ class ListAxis(Axis):
 
     def __init__(
         self,
-        things: Sequence[Any],
+        things: Sequence[Thing],
         field: Field,
-        value: Callable[[Any], Value],
-        head: Callable[[Any], Label],
+        value: Callable[[Thing], Value],
+        head: Callable[[Thing], Label],
         heading: Label | None = None,
     ) -> None:
         super().__init__(len(things))
         self.key, self.heading = field.key, field.name if heading is None else heading
-        self._things, self._field, self._value, self._head = things, field, value, head
-
-    @property
-    def things(self) -> Sequence[Any]:
-        return self._things
+        self.things: Sequence[object] = things
+        self._field = field
+        self._value: Callable[[int], Value] = lambda index: value(things[index])
+        self._head: Callable[[int], Label] = lambda index: head(things[index])
 
     def field(self) -> Field:
         return self._field
 
     def value(self, place: Place) -> Value:
-        return self._value(self._things[place[self.key]])
+        return self._value(place[self.key])
 
     def stub_heading(self) -> Label:
         return self.heading
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        return (self._head(self._things[place[self.key]]),)
+        return (self._head(place[self.key]),)
+
+
+class UnletteredAxis(ListAxis):
+    """The same, in the stub as in records, without the letters of the heads."""
+
+    def stub(self, place: Place) -> Number | Label:
+        found = self.value(place)
+        assert isinstance(found, Number | str)
+        return found
 
 
 @dataclass
@@ -220,7 +232,7 @@ class AngleAxis(Axis):
 class ColumnAxis(PageAxis):
     """The columns with their heads, in which the ratio of the row may stand."""
 
-    def __init__(self, question: Any) -> None:
+    def __init__(self, question: Question) -> None:
         super().__init__(len(question.page_columns))
         self.layout, self.lang, self.columns = question.layout, question.lang, question.page_columns
         self.ratios: Sequence[Fraction] = getattr(question, "ratios", ())

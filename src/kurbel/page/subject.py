@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from math import prod
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, Self, TypeAlias, TypeVar
 
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from kurbel.reading.amounts import Units
 
 Limit: TypeAlias = Callable[[Fraction], object]
+Q = TypeVar("Q", contravariant=True)
 # What draws a page over one of its axes.
 OVER_AXES = "kurbel.plot.pages:over_axes"
 # How refusals of a column end that what is known does not make.
@@ -33,11 +34,11 @@ LEAVE_OUT = "; leave it out, or give that"
 OF_COLUMNS = ("page_columns", "axes", "full", "for_data", "values", "long", "known")
 
 
-def _everywhere(question: Any, place: Place) -> bool:
+def _everywhere(question: object, place: Place) -> bool:
     return True
 
 
-class Subject(NamedTuple):
+class Subject(NamedTuple, Generic[Q]):
     """What pages of one kind are about, as data; grid, records, fields, keys and checks follow from it.
 
     `axes` by their names, outermost first, each made of the question; "column" is that of the quantities.
@@ -58,21 +59,21 @@ class Subject(NamedTuple):
     key: str
     layout: str
     command: str
-    axes: Mapping[str, Callable[[Any], PageAxis]]
+    axes: Mapping[str, Callable[[Q], PageAxis]]
     axis_keys: tuple[str, ...]
     quantities: Callable[[], Mapping[str, Quantity]]
-    number: Callable[[Any, Column, Place, int], Value]
-    caption: Callable[[Any], Label]
-    notes: Callable[[Any], Iterable[Label | Note]]
-    page_notes: Callable[[Any], Iterable[Label]] = lambda question: ()
+    number: Callable[[Q, Column, Place, int], Value]
+    caption: Callable[[Q], Label]
+    notes: Callable[[Q], Iterable[Label | Note]]
+    page_notes: Callable[[Q], Iterable[Label]] = lambda question: ()
     own_first: bool = True
     of: tuple[str, ...] = ()
-    exists: Callable[[Any, Place], bool] = _everywhere
-    marks: Callable[[Any, Column, Place], tuple[str, ...]] = lambda question, column, place: ()
-    tone: Callable[[Any, Column, Place], Tone] = lambda question, column, place: ""
-    beside: Callable[[Any, Column], tuple[Column, ...]] = lambda question, column: ()
-    rows: Callable[[Any], Records] | None = None
-    grid: Callable[[Any], tuple[Layout, Grid]] | None = None
+    exists: Callable[[Q, Place], bool] = _everywhere
+    marks: Callable[[Q, Column, Place], tuple[str, ...]] = lambda question, column, place: ()
+    tone: Callable[[Q, Column, Place], Tone] = lambda question, column, place: ""
+    beside: Callable[[Q, Column], tuple[Column, ...]] = lambda question, column: ()
+    rows: Callable[[Q], Records] | None = None
+    grid: Callable[[Q], tuple[Layout, Grid]] | None = None
     listed: Callable[[], Iterable[tuple[str, Quantity]]] | None = None
     letters: bool = False
     limits: Mapping[str, Limit] = MappingProxyType({})
@@ -107,7 +108,7 @@ class Subject(NamedTuple):
 
 
 @cache
-def subject(key: str) -> Subject:
+def subject(key: str) -> Subject[Any]:
     """Return what pages are about that say so."""
     found = found_at(SUBJECTS[key].place)
     assert isinstance(found, Subject)
@@ -197,7 +198,7 @@ class Question(Worded, FrozenValue):
         return other
 
     @property
-    def subject(self) -> Subject:
+    def subject(self) -> Subject[Self]:
         return subject(self.layout.subject)
 
     @property

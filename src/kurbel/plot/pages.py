@@ -136,8 +136,10 @@ def _numbers(asked: Any, name: str, axis: PageAxis) -> list[float]:
         return [float(angle) for angle in asked.angles]
     if not isinstance(axis, Axis) or axis.found:
         return []
-    if isinstance(axis, ListAxis) and all(isinstance(one, Fraction) for one in axis.things):
-        return [*map(float, axis.things)]
+    if isinstance(axis, ListAxis):
+        fractions = [one for one in axis.things if isinstance(one, Fraction)]
+        if len(fractions) == axis.size:
+            return [*map(float, fractions)]
     numbers = [_float(axis.value({name: place})) for place in range(axis.size)]
     # What is of all orders has no number.
     return numbers if any(map(isfinite, numbers)) and name != "stroke" else []
