@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import partial, reduce
 from math import atan, degrees
 from operator import add
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from kurbel import verify
 from kurbel.errors import ProblemError
@@ -27,7 +27,7 @@ from kurbel.verify.bodies import Force
 from kurbel.verify.drives import Course, Degrees
 from kurbel.verify.extremes import Summit, summits, where
 from kurbel.verify.jets import Jet
-from kurbel.verify.loads import Stroke, disc
+from kurbel.verify.loads import Piece, Stroke, disc
 from kurbel.verify.numbers import degrees_of, largest, pi, sine_cosine
 from kurbel.verify.numbers import number as exactly
 from kurbel.verify.plane import Arrow
@@ -322,12 +322,12 @@ def _pascals(second: SecondComputation) -> Fraction:
 def _efficiency(second: SecondComputation, turn: verify.Turn, strokes: Sequence[Stroke]) -> Number:
     """Work over heat: at one volume V Δp/(γ - 1), at one pressure γ p ΔV/(γ - 1) of it."""
     power, pressures = second.asked.exponent or Fraction(7, 5), strokes[0].sides[0][1]
-    expanding: Any = pressures.pieces[-1][1]
+    expanding = pressures.pieces[-1][1]
+    assert isinstance(expanding, Piece)
     top, pressed = pressures.value(exactly(0)), strokes[-1].sides[-1][1].value(exactly(1))
     burnt = pressures.pieces[0][0] if len(pressures.pieces) > 1 else exactly(0)
     heat = ((top - pressed) * expanding.room + top * burnt * power) / (power - 1)
-    share: Number = (strokes[0].work(exactly(1)) + strokes[-1].work(exactly(1))) / heat
-    return share
+    return (strokes[0].work(exactly(1)) + strokes[-1].work(exactly(1))) / heat
 
 
 def _sucked(strokes: Sequence[Stroke]) -> Number:
@@ -364,7 +364,7 @@ def _apart(run: Running) -> Number:
     return run.extreme(True) - run.extreme(False)
 
 
-_RUNNING: dict[str, Callable[[Any, Any], Number]] = {
+_RUNNING: dict[str, Callable[[Running, Fraction], Number]] = {
     "speed": lambda run, at: run.speed(run.turn.known.energy(at)),
     "speed_min": lambda run, _: run.extreme(False),
     "speed_max": lambda run, _: run.extreme(True),
@@ -448,8 +448,7 @@ def _of_peak(second: SecondComputation, key: str, row: Row) -> Value:
 
         def square(at: Place, order: int) -> Jet:
             forces = (heavy.course(one, at, 1, order) for one in names)
-            total: Jet = reduce(add, (one * one for one in forces))
-            return total
+            return reduce(add, (one * one for one in forces))
 
         places: list[Summit] = second.once(row, lambda: summits(square, Fraction(0), whole), name, signed)
         return places

@@ -344,7 +344,7 @@ def _of_load(second: SecondComputation, source: Any, area: Fraction, row: Row) -
     if asked.says("pump"):
         known["delivered"] = number(1)
     if asked.says("pressure_ratio"):
-        load, exponent, left = source.load, asked.exponent or Fraction(1), asked.expansion_exponent
+        load, exponent, expanding = source.load, asked.exponent or Fraction(1), asked.expansion_exponent
         inlet = 1 - (asked.suction_loss or Fraction(0))
         ratio = number(second.of_row(row, "pressure_ratio", asked.pressure_ratio))
         between = None if load.between is None else number(load.between)
@@ -352,8 +352,8 @@ def _of_load(second: SecondComputation, source: Any, area: Fraction, row: Row) -
         known |= staged(ratio, exponent, load.stages, between, load.cooled, apart, room)
         if load.stages > 1:
             known["relative_pressure"] = known["whole_work"] * known["volumetric_efficiency"] * inlet
-        if left is not None:
-            known["volumetric_efficiency"] = 1 + room - (ratio * apart).power(1 / left) * room
+        if expanding is not None:
+            known["volumetric_efficiency"] = 1 + room - (ratio * apart).power(1 / expanding) * room
         known["inlet"] = number(inlet)
     return known
 

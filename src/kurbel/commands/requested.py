@@ -270,7 +270,7 @@ class RequestedPage:
 
     def with_friction(self, load: verify.Load) -> verify.Load:
         """A load less the friction of piston and crosshead, in Q."""
-        friction, (bore, pressure) = self.asked.friction, self.unit()
+        friction, (bore, pressure) = self.asked.friction or Fraction(0), self.unit()
         if not pressure:
             raise ProblemError("friction needs what Q is in N")
 

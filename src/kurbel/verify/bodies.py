@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
 from itertools import product
-from typing import Any
 
 from kurbel.errors import ProblemError
 from kurbel.verify.drives import Degrees, Drive, approximate, place_of, typed
@@ -87,9 +86,10 @@ class Bodies:
         """A force about an angle, or one of its slopes by that in radians."""
         return slope_of(self.course(name, place, stroke, more), more)
 
-    def course(self, name: str, place: Place, stroke: int = OUT, more: int = 0) -> Any:
+    def course(self, name: str, place: Place, stroke: int = OUT, more: int = 0) -> Jet:
         turned = place if stroke == OUT else place.turned(Fraction(180))
-        return _FORCES[name](self._placed(turned, stroke, more))
+        found = _FORCES[name](self._placed(turned, stroke, more))
+        return found if isinstance(found, Jet) else Jet([found, *(number(0) for _ in range(more))])
 
     @by_bits
     def _placed(self, place: Place, stroke: int, more: int) -> At:
@@ -240,7 +240,7 @@ def moved_end(bodies: Bodies, end: Arrow, place: Place) -> Arrow:
     if bodies.method == "exact":
         return end
     series = int(bodies.method == "series")
-    path: Any = approximate("x", bodies.drive, place, OUT, series, len(end.x.terms) - 1)
+    path = approximate("x", bodies.drive, place, OUT, series, len(end.x.terms) - 1)
     return Arrow(-path, path * 0)
 
 
@@ -262,14 +262,14 @@ def energies(bodies: Bodies, pin: Arrow, place: Place) -> tuple[Jet, Jet]:
     return total * (omega * omega / 2), places.dot(bodies.weight) * -radius
 
 
-def _of_arrow(name: str, part: str, at: At) -> Any:
+def _of_arrow(name: str, part: str, at: At) -> Jet | Number:
     arrow = at.turned if name == "replaced" else at.accelerated(at.pin_jet if name == "pin" else at.end_moved)
     known = {"_along": -arrow.x, "_across": -arrow.y}
     # What B has along its slide has a sign.
     return arrow.size() if not part and name != "common" else known[part or "_along"]
 
 
-_FORCES: dict[str, Callable[[At], Any]] = {
+_FORCES: dict[str, Callable[[At], Jet | Number]] = {
     "piston_force": lambda at: at.piston_force,
     "inertia_force": lambda at: -at.accelerated(at.end_moved).dot(at.way) * number(at.bodies.reciprocating),
     "weight_force": lambda at: at.weight.dot(at.way) * number(at.bodies.reciprocating),
@@ -337,7 +337,7 @@ def swung(
     return at, away * (length - away)
 
 
-def bodies(drive: Drive, **given: Any) -> Bodies:
+def bodies(drive: Drive, **given: object) -> Bodies:
     """Return the bodies of a drive; numbers are fractions or decimals as text, a force may be a function.
 
     A rod may be described by `rod_mass`, the `centre` of its mass from B, or its middle, and its radius of

@@ -59,8 +59,7 @@ class Crank:
     def moved(self, pin: Arrow, sense: int) -> Jet:
         """x since the beginning of a stroke."""
         if not self.flat:
-            found: Jet = self.drive.moved(self.drive.driven(pin), sense)
-            return found
+            return self.drive.moved(self.drive.driven(pin), sense)
         gone: Jet = 1 - pin.x + pin.y * pin.y * (self.drive.ratio / 2)
         return gone if sense == OUT else 2 - gone
 

@@ -27,10 +27,10 @@ def place_of(degrees: Degrees) -> Place:
     return degrees() if callable(degrees) else Place(Fraction(degrees))
 
 
-def typed(given: Mapping[str, Any]) -> dict[str, Any]:
+def typed(given: Mapping[str, object]) -> dict[str, Any]:
     """Return numbers as fractions, which may be decimals as text, without what is None."""
 
-    def exact(one: Any) -> Any:
+    def exact(one: object) -> object:
         if isinstance(one, tuple):
             return tuple(map(exact, one))
         return Fraction(one) if isinstance(one, str | int | Fraction) else one
@@ -81,7 +81,7 @@ class Drive(Places):
         *,
         order: int = 1,
         stroke: str | int | None = None,
-        point: tuple[Any, Any] | None = None,
+        point: tuple[Fraction | str, Fraction | str] | None = None,
     ) -> Value:
         """Return what kurbel's column of this key says at an angle in degrees, or at a place found anew.
 
@@ -94,8 +94,10 @@ class Drive(Places):
         if method not in METHODS:
             raise ProblemError(f'there is no method "{method}"')
         if method == "difference":
-            options: dict[str, Any] = {"order": order, "stroke": stroke, "point": point}
-            return self.value(key, degrees, **options) - self.value(key, degrees, "series", **options)
+            exact, series = (
+                self.value(key, degrees, one, order=order, stroke=stroke, point=point) for one in METHODS[:2]
+            )
+            return exact - series
         of_point = None if point is None else (Fraction(point[0]), Fraction(point[1]))
         parted(key)
         how = Course(self, key, method, order, stroke in (RETURN, "return"), of_point)
@@ -133,8 +135,7 @@ class Drive(Places):
             return -slope_of_angle(*rod).derived(slope - 1)
         if of in ("path", "turn") and name != "turn":
             way = self.moved(end, stroke) if of == "path" else self.turned(end, stroke)
-            found: Jet = way.derived(slope)
-            return found
+            return way.derived(slope)
         if name == "rod_along":
             along: Jet = end.derived().dot(rod) / rod.size() * stroke
             return along
@@ -249,7 +250,7 @@ class Course:
         return slope_of(found, more) * self.drive.unit(unit)
 
 
-def drive(ratio: Fraction | str = Fraction(0), offset: Fraction | str | int = 0, **given: Any) -> Drive:
+def drive(ratio: Fraction | str = Fraction(0), offset: Fraction | str | int = 0, **given: object) -> Drive:
     """Return a drive as users describe it: "1:5", an offset in crank radii, a `rocker` about a `pivot` (x, y)
     or of the other `circuit`, the arm of a `beam`, or `parallel` cranks.
 
@@ -289,7 +290,7 @@ def approximate(name: str, drive: Drive, place: Place, stroke: int, order: int, 
     pin = drive.pin(place.degrees, slope + more, place.reach)
     nothing = pin.x * 0
 
-    def powers(*terms: Any) -> Jet:
+    def powers(*terms: Jet) -> Jet:
         return Jet([*terms, *(nothing for _ in range(order + 1))][: order + 1])
 
     sine = powers(nothing, pin.y)

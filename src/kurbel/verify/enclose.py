@@ -12,12 +12,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import lru_cache, wraps
-from typing import Any, ParamSpec, TypeVar
+from typing import ParamSpec, TypeVar
 
 from mpmath import libmp
 
-# mpmath's float, a tuple; mpmath has no types.
-End = Any
+# mpmath's float: sign, mantissa, exponent and how many bits the mantissa has.
+End = tuple[int, int, int, int]
 P = ParamSpec("P")
 Found = TypeVar("Found")
 

@@ -53,15 +53,15 @@ class Jet:
             total = total * h + one
         return total
 
-    def _like(self, other: Any) -> Jet:
+    def _like(self, other: Jet | Number | Fraction | int) -> Jet:
         """A number as a series that does not change, or a series in φ as one in λ."""
-        if _depth(other) == _depth(self):
+        if isinstance(other, Jet) and _depth(other) == _depth(self):
             return other
         zero = self.terms[0] * 0
         return Jet([zero + other, *(zero for _ in self.terms[1:])])
 
-    def __add__(self, other: Any) -> Jet:
-        if _depth(other) > _depth(self):
+    def __add__(self, other: Jet | Number | Fraction | int) -> Jet:
+        if isinstance(other, Jet) and _depth(other) > _depth(self):
             return other._like(self) + other
         return Jet([a + b for a, b in zip(self.terms, self._like(other).terms, strict=False)])
 
@@ -70,14 +70,14 @@ class Jet:
     def __neg__(self) -> Jet:
         return Jet([-one for one in self.terms])
 
-    def __sub__(self, other: Any) -> Jet:
+    def __sub__(self, other: Jet | Number | Fraction | int) -> Jet:
         return self + -other
 
-    def __rsub__(self, other: Any) -> Jet:
+    def __rsub__(self, other: Jet | Number | Fraction | int) -> Jet:
         return -self + other
 
-    def __mul__(self, other: Any) -> Jet:
-        if _depth(other) < _depth(self):
+    def __mul__(self, other: Jet | Number | Fraction | int) -> Jet:
+        if not isinstance(other, Jet) or _depth(other) < _depth(self):
             return Jet([one * other for one in self.terms])
         if _depth(other) > _depth(self):
             return other * self
@@ -86,8 +86,8 @@ class Jet:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Jet:
-        if _depth(other) < _depth(self):
+    def __truediv__(self, other: Jet | Number | Fraction | int) -> Jet:
+        if not isinstance(other, Jet) or _depth(other) < _depth(self):
             return Jet([one / other for one in self.terms])
         found: list[Coefficient] = []
         for k in range(min(len(self.terms), len(other.terms))):
@@ -95,7 +95,7 @@ class Jet:
             found.append(reduce(add, taken, self.terms[k]) / other.terms[0])
         return Jet(found)
 
-    def __rtruediv__(self, other: Any) -> Jet:
+    def __rtruediv__(self, other: Jet | Number | Fraction | int) -> Jet:
         return self._like(other) / self
 
     def power(self, exponent: Fraction) -> Jet:
@@ -110,7 +110,7 @@ class Jet:
         return self.power(Fraction(1, 2))
 
 
-def _depth(one: Any) -> int:
+def _depth(one: object) -> int:
     return 1 + _depth(one.terms[0]) if isinstance(one, Jet) else 0
 
 

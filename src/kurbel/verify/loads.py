@@ -17,14 +17,15 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import accumulate
-from typing import Any
+from typing import TypeVar
 
 from kurbel.errors import ProblemError
 from kurbel.verify.jets import Jet, angle_of, hulled
 from kurbel.verify.numbers import Number, hull, number, pi, spread
 
 # Typed: a fraction or a decimal.
-Given = Any
+Given = Fraction | str | int
+Share = TypeVar("Share", Number, Jet)
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class Piece:
     sense: int
     exponent: Fraction
 
-    def value(self, share: Number | Jet) -> Any:
+    def value(self, share: Share) -> Share:
         return self.height * (self._volume(share) / self.grown).power(-self.exponent)
 
     def integral(self, low: Number, high: Number) -> Number:
@@ -49,7 +50,7 @@ class Piece:
         ends = [one * (self.grown / one).power(self.exponent) for one in (begin, end)]
         return self.height * (ends[1] - ends[0]) / (left * self.sense)
 
-    def _volume(self, share: Any) -> Any:
+    def _volume(self, share: Share) -> Share:
         return self.room + share * self.sense
 
 
@@ -60,10 +61,10 @@ class Cubic:
     begin: Number | Fraction
     terms: Jet
 
-    def value(self, share: Jet) -> Any:
+    def value(self, share: Jet) -> Jet:
         return self.terms.at(share - self.begin)
 
-    def integral(self, low: Number, high: Number) -> Any:
+    def integral(self, low: Number, high: Number) -> Number:
         whole = angle_of(number(0), self.terms)
         return whole.at(high - self.begin) - whole.at(low - self.begin)
 
@@ -74,7 +75,7 @@ class Pressure:
 
     pieces: tuple[tuple[Number, Piece | Cubic], ...]
 
-    def value(self, share: Number) -> Any:
+    def value(self, share: Number) -> Number:
         return self.course(Jet([share])).value
 
     def course(self, share: Jet) -> Jet:
@@ -115,10 +116,10 @@ class Stroke:
 
     sides: tuple[tuple[Fraction, Pressure], ...] = ()
 
-    def force(self, share: Number) -> Any:
+    def force(self, share: Number) -> Number:
         return self.course(Jet([share])).value
 
-    def slope(self, share: Number) -> Any:
+    def slope(self, share: Number) -> Number:
         return self.course(Jet([share, number(1)])).slope()
 
     def course(self, share: Jet) -> Jet:

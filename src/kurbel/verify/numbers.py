@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TypeAlias
 
 from kurbel.verify import enclose, surd
 from kurbel.verify.enclose import Interval
+
+# What is added to a number; a series does this by itself.
+Addend: TypeAlias = "Number | Fraction | int"
 
 
 class Undecided(Exception):
@@ -74,7 +77,7 @@ class Number:
     def __contains__(self, number: Fraction) -> bool:
         return self.low <= number <= self.high
 
-    def __add__(self, other: Any) -> Number:
+    def __add__(self, other: Addend) -> Number:
         if not isinstance(other, KINDS):
             return NotImplemented
         other = number(other)
@@ -93,13 +96,13 @@ class Number:
             return Number(exact={radicand: -factor for radicand, factor in self.exact.items()})
         return Number(-self.span)
 
-    def __sub__(self, other: Any) -> Number:
+    def __sub__(self, other: Addend) -> Number:
         return self + -other
 
-    def __rsub__(self, other: Any) -> Number:
+    def __rsub__(self, other: Addend) -> Number:
         return -self + other
 
-    def __mul__(self, other: Any) -> Number:
+    def __mul__(self, other: Addend) -> Number:
         if not isinstance(other, KINDS):
             return NotImplemented
         other = number(other)
@@ -113,7 +116,7 @@ class Number:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Number:
+    def __truediv__(self, other: Addend) -> Number:
         if not isinstance(other, KINDS):
             return NotImplemented
         other = number(other)
@@ -127,7 +130,7 @@ class Number:
             raise Undecided("a division")
         return Number(self.span / other.span)
 
-    def __rtruediv__(self, other: Any) -> Number:
+    def __rtruediv__(self, other: Addend) -> Number:
         return number(other) / self
 
     def __abs__(self) -> Number:
@@ -167,7 +170,6 @@ class Number:
 
 # What goes through what is monotone by its ends.
 WIDE = Fraction(1, 2**30)
-# What is added to a number; a series does this by itself.
 KINDS = (Number, int, Fraction)
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 from kurbel.verify.enclose import by_bits
 from kurbel.verify.jets import Jet, angle_of, slope_of_angle, turning
@@ -96,7 +95,7 @@ class Places:
         arm = end.minus(self.bearing).times(1 / number(self.rocker))
         return arm.right().times(number(stroke * self.right))
 
-    def moved(self, end: Arrow, stroke: int) -> Any:
+    def moved(self, end: Arrow, stroke: int) -> Jet:
         """The way of B along its path since the dead centre, a jet by φ: on a rocker the arc."""
         if self.rocker is None:
             return (self.dead(stroke).x - end.x) * stroke

@@ -156,8 +156,10 @@ def flywheel(known: Mapping[str, Number]) -> dict[str, Number]:
         elif high is not None and low is not None:
             found["omega"] = (high + low) / 2
             found["delta"] = (high - low) / found["omega"]
-        elif mean is not None and (high is not None or low is not None):
-            found["delta"] = 2 * (high - mean if high is not None else mean - low) / mean
+        elif mean is not None and high is not None:
+            found["delta"] = 2 * (high - mean) / mean
+        elif mean is not None and low is not None:
+            found["delta"] = 2 * (mean - low) / mean
         elif inertia is not None and swing is not None and high is not None:
             found["omega_min"] = (high * high - 2 * swing / inertia).root()
         elif inertia is not None and swing is not None and low is not None:

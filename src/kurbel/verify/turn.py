@@ -26,7 +26,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial, reduce
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.verify.bodies import Bodies, energies
@@ -123,8 +123,7 @@ class Known:
         """The turning force of the masses of a crank: what their energy loses; `true` that of a series with
         the rod's true angle."""
         if true and self.turn.method == "series" and self.turn.bodies is not None:
-            found: Jet = self.turn.bodies.course("torque", at, OUT, order) * (1 / self.unit)
-            return found
+            return self.turn.bodies.course("torque", at, OUT, order) * (1 / self.unit)
         return -self.masses(at, order + 1).derived()
 
     def force(self, at: Place, order: int = 0, true: bool = False) -> Number:
@@ -327,7 +326,7 @@ _EXTREMES: dict[str, Callable[[Known, str], Number]] = {
 }
 
 
-def turn(drive: Drive, load: Load, *, method: str, **given: Any) -> Turn:
+def turn(drive: Drive, load: Load, *, method: str, **given: object) -> Turn:
     """Return a drive under a load; `bore` in m and the pressure of Q in Pa weigh the bodies of each crank."""
     if method not in ("exact", *FIRST_ORDER) or (method != "exact" and (drive.offset or drive.rocker)):
         raise ProblemError(f'no turn by the method "{method}" can be verified')

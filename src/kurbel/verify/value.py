@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from math import ceil
-from typing import Any
+from typing import TypeVar
 
 from kurbel.errors import ProblemError
 from kurbel.verify.enclose import working
@@ -17,6 +17,7 @@ CONFIRMED, WRONG, UNDECIDED = "confirmed", "wrong", "undecided"
 ROUNDINGS = ("half-away", "half-even", "up")
 # Bits to begin with, and those at which a question is given up.
 FIRST, LAST = 90, 3000
+Found = TypeVar("Found")
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,7 @@ class Value:
             found.span  # noqa: B018 with these bits, not with those of who asks
             return found
 
-    def decided(self, question: Callable[[Number], Any]) -> Any:
+    def decided(self, question: Callable[[Number], Found]) -> Found:
         """Return the answer of a question that raises `Undecided` while the enclosure is too wide."""
         bits = FIRST
         while True:
@@ -48,9 +49,7 @@ class Value:
         """Return the value times 10**decimals, rounded."""
         if rounding not in ROUNDINGS:
             raise ProblemError(f'there is no rounding "{rounding}" to verify')
-        found = self.decided(lambda one: _rounded(one, decimals, rounding))
-        assert isinstance(found, int)
-        return found
+        return self.decided(lambda one: _rounded(one, decimals, rounding))
 
     def digits(self, decimals: int, rounding: str = "half-away") -> str:
         """Return the value rounded to so many decimals; of a zero without a sign."""
