@@ -72,7 +72,7 @@ class LazyGroup(Group):
         with _before_click():
             return super().make_context(*words, **more)
 
-    def invoke(self, ctx: click.Context) -> Any:
+    def invoke(self, ctx: click.Context) -> object:
         with _before_click():
             return super().invoke(ctx)
 

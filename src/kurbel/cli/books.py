@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -26,6 +26,10 @@ from kurbel.commands import motion
 from kurbel.errors import ProblemError
 from kurbel.page.subject import Question
 from kurbel.reading.given import File
+
+if TYPE_CHECKING:
+    from kurbel.commands.shown import Drawing
+    from kurbel.page.table import Table
 
 # Of what a source says about itself, and the heads of the lists.
 WORDS = {
@@ -78,7 +82,7 @@ class ExampleCommand(TableCommand):
         show_list(Listing("examples", lang, own, rows, HEADS["example"][lang], rows), form, plain_lines(rows))
         return 0
 
-    def made(self, given: TypedOptions) -> Any:
+    def made(self, given: TypedOptions) -> Table | Drawing:
         if given.values["number"] is None:
             words = " ".join(filter(None, ("example", given.text("book"))))
             raise ProblemError(f'"{words[:60]}" prints a list; a document needs a table')

@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import chain
 from shlex import join
-from typing import Any
+from typing import TypeVar
 
 import click
 
@@ -84,6 +84,7 @@ _LONGEST = 60
 # More commands that have an option are not listed.
 _OWNERS = 4
 _NUMBER = re.compile(r"[+−-]?\d[\d.,/]*")
+Typed = TypeVar("Typed", str, Sequence[str])
 
 
 def one_line(error: click.ClickException, words: Sequence[str]) -> str:
@@ -343,7 +344,7 @@ def _is_condition(text: str) -> bool:
     return bool(left.strip() and equals and right.strip()) and not text.startswith("-")
 
 
-def _reads(read: Callable[[Any], Any], text: str | Sequence[str]) -> bool:
+def _reads(read: Callable[[Typed], object], text: Typed) -> bool:
     try:
         read(text)
     except KurbelError:

@@ -39,7 +39,7 @@ class Type(click.ParamType):  # type: ignore[type-arg]
         self.kind = kind
         self.name = kind.name
 
-    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> object:
         read = self.kind.read(value, ctx.params if ctx else {})
         return self.kind.with_files(read, lambda name: FileName().convert(str(name), param, ctx))
 
@@ -110,13 +110,13 @@ class Option(click.Option):
             # All values that are typed, where click would keep the last.
             parser.add_option(obj=self, opts=self.opts, dest=self.name, action="append", nargs=self.nargs)
 
-    def consume_value(self, ctx: click.Context, opts: Mapping[str, Any]) -> tuple[Any, ParameterSource]:
+    def consume_value(self, ctx: click.Context, opts: Mapping[str, Any]) -> tuple[object, ParameterSource]:
         typed = opts.get(self.name or "")
         if isinstance(typed, list) and not self.multiple:
             return super().consume_value(ctx, {**opts, self.name or "": self._one_of(typed, ctx)})
         return super().consume_value(ctx, opts)
 
-    def _one_of(self, typed: Sequence[Any], ctx: click.Context) -> Any:
+    def _one_of(self, typed: Sequence[str], ctx: click.Context) -> Any:
         """Return the value that is typed; raise UsageError for two that do not say the same."""
         if len(dict.fromkeys(typed)) > 1 and not ctx.resilient_parsing:
             said = [
@@ -131,7 +131,7 @@ class Option(click.Option):
     def resolve_envvar_value(self, ctx: click.Context) -> str | None:
         return None if ctx.find_object(Document) else super().resolve_envvar_value(ctx)
 
-    def process_value(self, ctx: click.Context, value: object) -> Any:
+    def process_value(self, ctx: click.Context, value: object) -> object:
         if ctx.get_parameter_source(self.name or "") is not ParameterSource.ENVIRONMENT:
             return super().process_value(ctx, value)
         with naming_variable(ctx, self):

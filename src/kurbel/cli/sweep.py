@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -45,7 +45,7 @@ class _Listed(kinds.Kind):
 class SweptOption(Option):
     """An option that may be given several times, and in the environment once."""
 
-    def value_from_envvar(self, ctx: click.Context) -> Any:
+    def value_from_envvar(self, ctx: click.Context) -> tuple[str] | None:
         found = self.resolve_envvar_value(ctx)
         return None if found is None else (found,)
 

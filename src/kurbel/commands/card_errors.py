@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.errors import ProblemError
 from kurbel.verify import Number, Turn, Value
@@ -21,6 +21,7 @@ from kurbel.verify.zeros import Place
 if TYPE_CHECKING:
     from kurbel.commands.recomputed import Row
     from kurbel.commands.second import SecondComputation
+    from kurbel.engine.card.card import PistonCard
 
 # Places of a stroke, and the most by which twice the points are nearer to the truth.
 SAMPLES, MOST_GAIN = 720, 8
@@ -79,7 +80,9 @@ def _gained(second: SecondComputation) -> tuple[Number, Number]:
     return apart, most if gain.low >= MOST_GAIN else largest([gain, number(1)])
 
 
-def _between(second: SecondComputation, card: Any, of: Callable[[Stroke, Number], Number]) -> list[Number]:
+def _between(
+    second: SecondComputation, card: PistonCard, of: Callable[[Stroke, Number], Number]
+) -> list[Number]:
     """The differences over the strokes from those of half its points; strokes that are alike count once."""
     shares, own = [number(Fraction(k, SAMPLES)) for k in range(SAMPLES + 1)], second.measured(card)()
     values = {stroke: [of(stroke, share) for share in shares] for stroke in own}

@@ -75,7 +75,7 @@ def count(table: Table) -> int:
     return len(found) if isinstance(found, Sized) else sum(1 for _ in found)
 
 
-def rows(table: Table) -> Iterator[Any]:
+def rows(table: Table) -> Iterator[tuple[object, ...]]:
     """Yield the records as named tuples of floats and text."""
     made = frames(table, as_float)
     # Such keys as are no names of Python have their place as a name, _1.

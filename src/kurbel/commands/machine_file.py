@@ -133,7 +133,7 @@ def machine_model() -> type[Any]:
 
 def _section(
     name: str, options: Mapping[str, Option[object]], places: Mapping[str, str] | None = None
-) -> Any:
+) -> type[Struct]:
     """Return a section by its keys and the options behind them; of a cylinder also what sets its place."""
     keys = {option.name: key for key, option in options.items()}
     fields: list[tuple[str, object, object]] = [
@@ -146,7 +146,7 @@ def _section(
     return defstruct(name, fields, bases=(Section,), rename=keys, module=__name__)
 
 
-def _described(kind: Any, text: str) -> Any:
+def _described(kind: type, text: str) -> object:
     return Annotated[kind | None, about(text)]
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from typing import Any, TypeGuard
+from typing import TypeGuard
 
 from kurbel.commands.options import Choice, Count, Option, alone, measure, word
 from kurbel.commands.part import CommandOptions, Values, flag_of
@@ -20,6 +20,7 @@ from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_o
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import CARD, MASSES, PUMP
+from kurbel.drive.load import Load as Acting
 from kurbel.engine.engine import Engine, Load
 from kurbel.engine.power.duty import Duty, equation
 from kurbel.engine.power.power_page import PowerRequest
@@ -441,9 +442,9 @@ class PowerOptions(MachineKeys, Loads, Losses, Layouts, Sheet, CommandOptions):
         double = not self.single_acting if double is None else double
         return [ActingPressure(self._engine(load, double, duty)) for load in loads]
 
-    def _engine(self, load: Any, double: bool, duty: Duty) -> Engine:
+    def _engine(self, load: Acting, double: bool, duty: Duty) -> Engine:
         """Return an engine on which the load acts; of work alone the crank ratio says nothing."""
-        over_angle = load.name == CARD and hasattr(load.card, "angles")
+        over_angle = load.name == CARD and hasattr(getattr(load, "card", None), "angles")
         if over_angle and not self.says("ratio"):
             raise ProblemError("a card over the crank angle needs the crank ratio; add --ratio, such as 1:5")
         ratios = as_ratios(self.ratio) if over_angle else (Fraction(0),)
@@ -577,7 +578,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
         return False
 
 
-def _check_one(found: Sequence[Any], what: str) -> None:
+def _check_one(found: Sequence[object], what: str) -> None:
     if len(found) != 1:
         raise ProblemError(
             f"pressures are those of one cylinder, and {len(found)} {what} were given; give one"

@@ -9,11 +9,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.commands.recomputed import nearest, of_harmonics
+from kurbel.engine.diagram.excess import ExcessTorque
+from kurbel.engine.diagram.fluctuation import Areas, Fluctuation
 from kurbel.errors import ProblemError
-from kurbel.reading.units import MassFlow
+from kurbel.reading.units import MassFlow, Speed
 from kurbel.verify import Number, Value, drive, harmonics
 from kurbel.verify.diagram import Diagram, swing
 from kurbel.verify.numbers import heading, number, pi
@@ -22,14 +24,17 @@ from kurbel.verify.relations import ENGINE, completed, flywheel, staged
 from kurbel.verify.shaft import PlanarVector, Slide, held, moment, parts, ray, together
 
 if TYPE_CHECKING:
+    from kurbel.balancing.locomotive import Crank
     from kurbel.commands.recomputed import Row
     from kurbel.commands.second import SecondComputation
+    from kurbel.engine.power.duty import Duty
+    from kurbel.engine.power.source import ActingPressure
 
 # What is printed of a vector.
 Printed = Callable[[Arrow], Number]
 
 
-def _omega(speed: Any) -> Number:
+def _omega(speed: Speed) -> Number:
     return number(speed.value) * (2 * pi() if speed.turns else 1)
 
 
@@ -113,7 +118,7 @@ def of_locomotive(second: SecondComputation, key: str, method: str, row: Row) ->
     share = nearest(row["share"], request.shares)
     planes = (-loco.gauge / 2, loco.gauge / 2)
 
-    def pulls(mass: Callable[[Any], Fraction]) -> list[PlanarVector]:
+    def pulls(mass: Callable[[Crank], Fraction]) -> list[PlanarVector]:
         return [
             PlanarVector(ray(mass(one) * loco.radius, one.angle), number(one.place)) for one in loco.cranks
         ]
@@ -331,7 +336,9 @@ def of_power(second: SecondComputation, key: str, method: str, row: Row) -> Valu
     return Value(lambda: second.once(row, found)[stem])
 
 
-def _of_load(second: SecondComputation, source: Any, area: Fraction, row: Row) -> dict[str, Number]:
+def _of_load(
+    second: SecondComputation, source: ActingPressure, area: Fraction, row: Row
+) -> dict[str, Number]:
     """The mean pressure that a load makes in its own, and what it takes of steam or delivers."""
     asked, strokes = second.asked, second.load(row)()
     work = abs(sum((one.work(number(1)) for one in strokes), number(0)))
@@ -358,8 +365,9 @@ def _of_load(second: SecondComputation, source: Any, area: Fraction, row: Row) -
     return known
 
 
-def _of_compound(duty: Any, epsilon: Number, lost: Number) -> dict[str, Number]:
+def _of_compound(duty: Duty, epsilon: Number, lost: Number) -> dict[str, Number]:
     """How far the steam expands in the high-pressure cylinder, and its share in the work."""
+    assert duty.compound is not None
     way, value = duty.compound
     if way == "work":
         # Of ln R = ½ (1 + ln ε - b ε).
@@ -368,9 +376,9 @@ def _of_compound(duty: Any, epsilon: Number, lost: Number) -> dict[str, Number]:
         left = 1 - lost
         expansion = (left + (left * left + 4 * epsilon).root()) / 2
     elif way == "bore":
-        expansion = epsilon * (number(value) / duty.bore).power(Fraction(2))
+        expansion = epsilon * (number(value) / (duty.bore or 1)).power(Fraction(2))
     else:
-        expansion = number(value) if way == "expansion" else duty.pressure / number(value)
+        expansion = number(value) if way == "expansion" else (duty.pressure or 1) / number(value)
     high = number(Fraction(1, 2)) if way == "work" else expansion.log() / (1 + epsilon.log() - lost)
     found = {"high_expansion": expansion, "low_cut_off": expansion / epsilon}
     return {**found, "high_share": high, "low_share": 1 - high}
@@ -415,17 +423,18 @@ def of_flywheel(second: SecondComputation, key: str, method: str, row: Row) -> V
         return whole
 
     if key == "angular_acceleration":
-        excess, at = options.fluctuation(), options.angle or Fraction(0)
+        excess, at = options.excess(), options.angle or Fraction(0)
         return Value(lambda: _torque(excess, at, 1, -1) / second.once(row, found)["inertia"])
     stem = re.sub("_nm$", "", _STEM.get(key, key))
     return Value(lambda: second.once(row, found)[stem] / (2 * pi() if key in _TURNS else 1))
 
 
-def _of_diagram(fluctuation: Any) -> dict[str, Number]:
+def _of_diagram(fluctuation: Fluctuation) -> dict[str, Number]:
     """The swing of a turning moment diagram, its mean torque and its turns."""
-    if (levels := getattr(fluctuation, "levels", None)) is not None:
-        known = {"swing": _of_areas(fluctuation, max(levels) - min(levels))}
+    if isinstance(fluctuation, Areas):
+        known = {"swing": _of_areas(fluctuation, max(fluctuation.levels) - min(fluctuation.levels))}
     else:
+        assert isinstance(fluctuation, ExcessTorque)
         driving, load = diagrams(fluctuation)
         unit = number(1) if fluctuation.by_degree else pi() / 180
         known = {"swing": swing(driving, load) * unit}
@@ -436,20 +445,19 @@ def _of_diagram(fluctuation: Any) -> dict[str, Number]:
     return known
 
 
-def _of_areas(areas: Any, level: Fraction) -> Number:
+def _of_areas(areas: Areas, level: Fraction) -> Number:
     return number(level * areas.scale.energy) * (pi() if areas.scale.of_pi else 1)
 
 
-def diagrams(excess: Any) -> tuple[Diagram, Diagram]:
+def diagrams(excess: ExcessTorque) -> tuple[Diagram, Diagram]:
     """The torques of the drive and of the load as they are described."""
     driving, load = (
-        Diagram(tuple(one.waves.parts), tuple(map(tuple, one.lines)), one.cycle)
-        for one in (excess.drive, excess.load)
+        Diagram(tuple(one.waves.parts), tuple(one.lines), one.cycle) for one in (excess.drive, excess.load)
     )
     return driving, load
 
 
-def _torque(excess: Any, at: Fraction, *shares: int) -> Number:
+def _torque(excess: ExcessTorque, at: Fraction, *shares: int) -> Number:
     """So many times the torque of the drive and that of the load at a crank angle."""
     total = sum(
         (one.value(at) * share for one, share in zip(diagrams(excess), shares, strict=True)), number(0)
@@ -519,7 +527,7 @@ _STEM = {"speed_drop": "drop", "greatest_speed": "omega_max", "least_speed": "om
 # Where a command is that is not called as its module.
 MODULES = {"table": "motion", "locomotive": "rotor", "turning": "engine"}
 # By commands, and of turning moment diagrams by their layouts.
-SUMMED: Mapping[str, Callable[[Any, str, str, Any], Value]] = {
+SUMMED: Mapping[str, Callable[[SecondComputation, str, str, Row], Value]] = {
     "rotor": of_rotor, "locomotive": of_locomotive, "balance": of_balance, "power": of_power,
     "flywheel": of_flywheel, "torques": of_diagram, "areas": of_diagram,
     "rod-masses": of_masses,

@@ -19,7 +19,7 @@ from kurbel.commands.parts.masses import each, place_on_rod
 from kurbel.commands.recomputed import Row, nearest
 from kurbel.drive.crank import DescribedDrive, radii
 from kurbel.drive.rod_file import rod_sections
-from kurbel.engine.card.card import AngleCard
+from kurbel.engine.card.card import AngleCard, PistonCard
 from kurbel.engine.card.file import read_card
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import mechanism
@@ -98,10 +98,10 @@ class RequestedPage:
         return asked.bore, asked.pressure if asked.says("pressure") else asked.suction_pressure
 
     @cached_property
-    def card(self) -> Any:
+    def card(self) -> PistonCard:
         """The indicator card."""
-        given: Any = self.asked.card
-        files = [given] if isinstance(given, str) else given
+        given = self.asked.card
+        files = given if isinstance(given, Sequence) and not isinstance(given, str) else [given]
         if len(files) != 1:
             raise ProblemError("of several cards the row does not say which it is of")
         found = read_card(files[0])
@@ -109,7 +109,7 @@ class RequestedPage:
             raise ProblemError("cards over the crank angle are not computed a second time")
         return found
 
-    def measured(self, card: Any = None) -> verify.Load:
+    def measured(self, card: PistonCard | None = None) -> verify.Load:
         """The card, or one of a part of its points, as a load: kurbel's cubics, where they pass through the
         points, in the unit of the whole."""
         from kurbel.engine.card.force import curve
@@ -172,7 +172,7 @@ class RequestedPage:
         masses at its pins both are the same, and by the railways' rule 6/10 of it are at the crank pin."""
         asked = self.asked
 
-        def given(name: str) -> Any:
+        def given(name: str) -> object:
             values = each(asked.raw(name))
             return values[(int(row.get("rod", "1")) - 1) % len(values)]
 

@@ -20,6 +20,7 @@ from kurbel.commands.parts.masses import SWUNG, WEIGHED
 from kurbel.commands.recomputed import PAGES, Row, nearest
 from kurbel.commands.related import MODULES, SUMMED
 from kurbel.commands.requested import AIR, GAS, LOADED, STEAM, RequestedPage
+from kurbel.engine.card.card import PistonCard
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.page.axes import shifted
 from kurbel.reading.amounts import UNITS
@@ -119,7 +120,7 @@ class SecondComputation(RequestedPage):
         command.settle(found)
         return found
 
-    def spot(self, key: Any, find: Callable[[], FoundAngle]) -> FoundAngle:
+    def spot(self, key: object, find: Callable[[], FoundAngle]) -> FoundAngle:
         """A place, found once for all columns of a row."""
         if key not in self._spots:
             self._spots[key] = find()
@@ -175,7 +176,7 @@ class SecondComputation(RequestedPage):
         given, zero = self.asked.angle or (), self.asked.zero_angle
         return shifted(in_degrees(given, self.asked.values, self._layout.ratios, zero=zero), -zero)
 
-    def turn(self, method: str, row: Row, alone: bool = False, card: Any = None) -> verify.Turn:
+    def turn(self, method: str, row: Row, alone: bool = False, card: PistonCard | None = None) -> verify.Turn:
         """The turn of the page, that of one crank `alone`, without its masses, or that of part of a card."""
         asked, drive, load = self.asked, self.drive(row), self.measured(card) if card else self.load(row)
         key = (drive, method, alone, card, *(str(row.get(name)) for name in LOADED))

@@ -301,7 +301,7 @@ def plotted(question: Question, options: Mapping[str, object], decimal: str | No
         )
 
 
-def shot_of(seconds: float, question: Any) -> FilmSettings:
+def shot_of(seconds: float, question: Question) -> FilmSettings:
     """Return how the drawing of a question is to move, with the mechanism of a single drive."""
     from kurbel.plot.animated import FilmSettings
 
@@ -331,10 +331,9 @@ def staged(name: str, drive: Drive) -> Staged:
     return partial(found_at(mechanism(name).moving), bare)
 
 
-def carrying(question: Any, show: Staged, *angles: Sequence[float]) -> Scene | None:
+def carrying(question: Question, show: Staged, *angles: Sequence[float]) -> Scene | None:
     """Return what moves with what a question shows of it besides."""
-    found: Scene | None = question.carrying(show(*angles), show)
-    return found
+    return question.carrying(show(*angles), show)
 
 
 def spoken(question: Any, columns: Sequence[Column] = ()) -> tuple[SpokenQuantity, ...]:

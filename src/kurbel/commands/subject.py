@@ -185,7 +185,7 @@ class Command:
             counted["layout"] = question.layout.key
         return Request(self.name, counted)
 
-    def _units(self, asked: Any, values: Mapping[str, object]) -> Units | None:
+    def _units(self, asked: object, values: Mapping[str, object]) -> Units | None:
         """Return the units that are asked for, else imperial ones where all measures are given in such."""
         names = {name for name, one in self.options.items() if one.unit or one.kind is TEXT}
         read = (names | {"cylinder"}) - UNTOLD - UNMEASURED
@@ -199,8 +199,8 @@ class Command:
 
         if not is_given(asked):
             return read_units(IMPERIAL)._replace(data=False)
-        listed = isinstance(asked, Iterable) and not isinstance(asked, str)
-        return read_units(";".join(map(str, asked)) if listed else str(asked))
+        several = asked if isinstance(asked, Iterable) and not isinstance(asked, str) else [asked]
+        return read_units(";".join(map(str, several)))
 
 
 class Function(Protocol):
@@ -209,11 +209,11 @@ class Function(Protocol):
     command: Command
     __name__: str
 
-    def __call__(self, *args: object, **options: Any) -> Any: ...
-    def question(self, *args: object, **options: Any) -> Any:
+    def __call__(self, *args: object, **options: object) -> Any: ...
+    def question(self, *args: object, **options: object) -> Any:
         """Return what is asked for, checked, without making the table."""
 
-    def interactive(self, *args: object, **options: Any) -> Table:
+    def interactive(self, *args: object, **options: object) -> Table:
         """Return the table of an interactive page, to be saved as HTML, with a slider for several values."""
 
 
@@ -221,17 +221,17 @@ def function(asks: type[CommandOptions], name: str, drawn: bool = False) -> Func
     """Return the function of a command that is made of parts."""
     command = Command(asks, name)
 
-    def question(*args: object, **options: Any) -> Any:
+    def question(*args: object, **options: object) -> Any:
         with spelling_keywords(command.keywords):
             return command.ask(_values(command, args, options))
 
-    def make(*args: object, **options: Any) -> Table:
+    def make(*args: object, **options: object) -> Table:
         with spelling_keywords(command.keywords):
             values = _values(command, args, options)
             asked = command.ask(values)
             return _table(command.built(asked, values), asked)
 
-    def interactive(*args: object, **options: Any) -> Table:
+    def interactive(*args: object, **options: object) -> Table:
         from kurbel.commands.stepped import NOTHING, stepped
 
         with spelling_keywords(command.keywords):
@@ -362,7 +362,7 @@ class _Brief(inspect.Signature):
         shown = [one.name if one.default is one.empty else f"{one.name}={one.default!r}" for one in placed]
         return f"({', '.join([*shown, '**options'])}) -> {self.return_annotation}"
 
-    def format(self, **_: Any) -> str:
+    def format(self, **_: object) -> str:
         return str(self)
 
 

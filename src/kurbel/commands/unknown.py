@@ -150,7 +150,7 @@ class RatioUnknown:
         kernel = kernel_of(drive.asked(condition.quantity, 1), drive.method, drive.crank)
         scale = drive.asked(condition.quantity, 1).scale
 
-        def formula(ratio: Any) -> Any:
+        def formula(ratio: object) -> object:
             kind = balls()
             offset = kind.of(drive.crank.offset) if drive.crank.offset else None
             found = kernel(At(kind.circle(self.place.degrees), drive.crank, kind, 1, ratio, offset))

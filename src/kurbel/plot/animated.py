@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.lines import Line2D
 
 # The scene of a drive, with its joints at these angles; nothing for one that cannot be drawn to scale.
-Staged = Callable[[Sequence[float]], Scene | None]
+Staged = Callable[..., Scene | None]
 # In mm.
 MARGIN, LARGEST_RADIUS, MOST_HEIGHT = 3.0, 24.0, 150.0
 TURN = 360.0

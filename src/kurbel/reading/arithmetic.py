@@ -21,7 +21,7 @@ LONGEST, DEEPEST = 500, 100
 # Of the powers in a book's formulas.
 POWERS = range(10)
 _DIGITS = re.compile(r"[0-9]+(\.[0-9]+)?")
-OPERATIONS: Mapping[type, Callable[[Any, Any], Any]] = {
+OPERATIONS: Mapping[type, Callable[..., Any]] = {
     ast.Add: separation.plus,
     ast.Sub: separation.minus,
     ast.Mult: separation.times,

@@ -27,7 +27,7 @@ MOST_ROWS = 10**9
 BEFORE_UNIT = r"[+−-]?(?:\d+\s+(?=\d+/\d))?[\d.,]+(?:[eE][+-]?\d+)?(?:\s*/\s*[\d.,]+(?:[eE][+-]?\d+)?)?"
 
 # What a value is that is beyond a bound.
-_BEYOND: Mapping[str, Callable[[Any, Any], bool]] = {
+_BEYOND: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
     "above": operator.le, "least": operator.lt, "below": operator.ge, "most": operator.gt
 }  # fmt: skip
 
@@ -83,9 +83,9 @@ def check_bounds(what: str, value: Fraction | None, rule: str, unit: str = "") -
 
 
 @lru_cache(maxsize=256)
-def _bounds(rule: str) -> tuple[tuple[Callable[[Any, Any], bool], Fraction], ...]:
+def _bounds(rule: str) -> tuple[tuple[Callable[[Fraction, Fraction], bool], Fraction], ...]:
     """Return the bounds of a rule, each with what is beyond it."""
-    found: list[tuple[Callable[[Any, Any], bool], Fraction]] = []
+    found: list[tuple[Callable[[Fraction, Fraction], bool], Fraction]] = []
     for word, number in pairwise(rule.partition(",")[0].split()):
         if word == "within":
             low, _, high = number.partition("..")

@@ -26,6 +26,7 @@ from kurbel.sweeps.coordinates import exact_at, values_at
 from kurbel.sweeps.plan import Axis, Places, Plan
 
 Mask = NDArray[np.bool_]
+Arrays = Mapping[str, NDArray[np.generic]]
 # A float is known better than this; nearer numbers are compared exactly.
 NEAR = 1e-9
 # Below this floats lose digits: no error is taken to be less.
@@ -34,8 +35,8 @@ GRAMMAR = "write it as 'eps*back < 1', with + - * / **, < <= > >= == !=, and, or
 
 # A ratio as it is written elsewhere, 1:4.
 _RATIO = re.compile(r"\b(\d+(?:\.\d+)?):(\d+(?:\.\d+)?)")
-_NUMBERS: Mapping[type, Callable[[Any, Any], Any]] = {**OPERATIONS, ast.Pow: operator.pow}
-_COMPARED: Mapping[type, Callable[[Any, Any], Any]] = {
+_NUMBERS: Mapping[type, Callable[..., Any]] = {**OPERATIONS, ast.Pow: operator.pow}
+_COMPARED: Mapping[type, Callable[..., Any]] = {
     ast.Lt: operator.lt,
     ast.LtE: operator.le,
     ast.Gt: operator.gt,
@@ -79,9 +80,7 @@ class Condition:
         found = [one for one in ast.walk(self.tree) if isinstance(one, ast.Name)]
         return list(dict.fromkeys(one.id for one in sorted(found, key=lambda one: one.col_offset)))
 
-    def holds(
-        self, floats: Mapping[str, NDArray[Any]], exact: Callable[[int], Mapping[str, object]], count: int
-    ) -> Mask:
+    def holds(self, floats: Arrays, exact: Callable[[int], Mapping[str, object]], count: int) -> Mask:
         """Return where it holds, by the values of the names at so many places: floats or texts in arrays,
         and exact ones at a place, for where floats do not tell. A division by zero holds nowhere, nor does
         a root of what is below zero."""
@@ -111,7 +110,7 @@ class _Float(NamedTuple):
     size: Any
 
 
-def _floats(node: ast.expr, values: Mapping[str, NDArray[Any]], doubtful: Mask) -> _Float:
+def _floats(node: ast.expr, values: Arrays, doubtful: Mask) -> _Float:
     """Return the value in floats, and mark the places at which a comparison is too near."""
     match node:
         case ast.BoolOp(op=op, values=parts):
@@ -163,12 +162,12 @@ def _compared(first: _Float, op: ast.cmpop, second: _Float, doubtful: Mask) -> A
     return _COMPARED[type(op)](first.value, second.value)
 
 
-def _settled(first: Any, op: ast.cmpop, second: Any) -> Any:
+def _settled(first: object, op: ast.cmpop, second: object) -> bool:
     """Return how exact numbers compare; of two that no float holds it is not known."""
     beyond = [isinstance(one, float) and not isfinite(one) for one in (first, second)]
     if all(beyond) or any(one != one for one in (first, second)):
         raise OverflowError
-    return _COMPARED[type(op)](first, second)
+    return bool(_COMPARED[type(op)](first, second))
 
 
 def _as_float(value: Fraction) -> float:
@@ -179,7 +178,7 @@ def _as_float(value: Fraction) -> float:
         return inf if value > 0 else -inf
 
 
-def _power(first: Any, second: Any) -> Any:
+def _power(first: Fraction | float, second: Fraction | float) -> Any:
     """Return a power, exact if it is a whole one; of one beyond all exact numbers an infinite float."""
     if _is_endless(second):
         if first > 1 and second > 0:
@@ -204,11 +203,11 @@ def _power(first: Any, second: Any) -> Any:
     return found
 
 
-def _is_endless(value: Any) -> bool:
+def _is_endless(value: object) -> bool:
     return isinstance(value, float) and isinf(value)
 
 
-def _reckoned(op: ast.operator, first: Any, second: Any) -> Any:
+def _reckoned(op: ast.operator, first: object, second: object) -> object:
     # What is beyond all numbers can be compared, and no more.
     if _is_endless(first) or _is_endless(second):
         raise OverflowError

@@ -161,7 +161,7 @@ class Angles(Part):
             angles=tuple(one for one in angles if one <= HALF_TURN) if is_beyond(angles) else angles,
         )
 
-    def _counted(self, page: Layout, turn: Fraction) -> Sequence[Any]:
+    def _counted(self, page: Layout, turn: Fraction) -> Sequence[Fraction | str]:
         angles = self.angle
         if not self.says(*ENDS):
             return as_angles(page.angles) if angles is None else angles

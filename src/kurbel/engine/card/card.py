@@ -187,6 +187,10 @@ def _every_second(course: Course, first: int) -> Course:
     return shares, pressures
 
 
+# Over the piston path, of one cycle of two strokes or of four.
+PistonCard = Card | CycleCard
+
+
 @dataclass(frozen=True, slots=True)
 class AngleCard:
     """Pressures in Pa at rising crank angles φ in degrees, over a cycle of one turn or two.
@@ -293,7 +297,7 @@ class Diagram:
     # Its work tells.
     driven: ClassVar[bool] = False
 
-    card: Card | CycleCard | AngleCard
+    card: PistonCard | AngleCard
     other_side: float | None = None
     unit: float | None = None
 
@@ -309,7 +313,7 @@ class Diagram:
         return card_strokes(self.measured, double, self.other_side, self.pressure)
 
     @property
-    def measured(self) -> Card | CycleCard:
+    def measured(self) -> PistonCard:
         """The card by the shares of the strokes, as the one of an engine is."""
         assert not isinstance(self.card, AngleCard)
         return self.card
