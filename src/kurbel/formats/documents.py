@@ -275,7 +275,7 @@ class DocumentChapter(NamedTuple):
     `lang` is the language where it is not the document's; `number` is 0 for what is no chapter of its own.
     """
 
-    title: Any
+    title: DocumentTitle | str
     heading: str
     label: str
     file: str
@@ -332,7 +332,7 @@ class DocumentMaker(ABC):
         heading, label = self.heading(title), self.label(chapter)
         return DocumentChapter(title, heading, label, self.file(chapter), lang, parts, chapter.number)
 
-    def title(self, label: Label, lang: str = "") -> Any:
+    def title(self, label: Label, lang: str = "") -> DocumentTitle | str:
         """Return a title as the templates read it."""
         return self.titled(label, lang)
 
@@ -408,7 +408,7 @@ class DocumentMaker(ABC):
             self.text_part(item) if item.kind == "text" else self.part(item) for item in chapter.items
         )
 
-    def text_part(self, item: Item) -> Any:
+    def text_part(self, item: Item) -> object:
         """Return a text as the templates read it."""
         return DocumentPart("text", text=self.text(item), lang=self.other(item.lang))
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import partial
 from itertools import chain
-from typing import Any
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import KurbelError, LayoutError
@@ -20,7 +20,7 @@ from kurbel.reading.given import choose
 from kurbel.reading.toml_file import Place, TomlFile
 
 # The axes whose values a layout gives where the command line does not: by which key, and how they are read.
-VALUES: Mapping[str, tuple[str, Callable[[Sequence[str]], Any]]] = {
+VALUES: Mapping[str, tuple[str, Callable[[Sequence[str]], Sequence[Fraction]]]] = {
     "ratio": ("ratios", notation.ratios),
     "angle": ("angles", notation.angles),
     "expansion": ("expansions", lambda texts: notation.numbers(texts, "expansion ratio")),
@@ -76,7 +76,7 @@ def _faults_of_values(page: Layout) -> Iterator[tuple[Place, str]]:
     for axis, (key, _) in VALUES.items():
         texts: tuple[str, ...] = getattr(page, key)
         for index, text in enumerate(texts):
-            yield from _refused((key, index), partial(_within, limits, axis), [text])
+            yield from _refused((key, index), partial(_within, limits, axis, [text]))
         # Without expansion ratios a page asks for one.
         if axis != "expansion" and axis in subject(page.subject).axes and not texts:
             yield (key,), f"{key} is empty; a page about {page.subject} needs them where none are typed"
@@ -160,7 +160,7 @@ def _faults_of_words(page: Layout, columns: Mapping[Place, LayoutColumn]) -> Ite
                     yield from _unknown(place, found, places, "place")
                 else:
                     yield place, f"{found[:60]} is a place, and none is filled here; write words"
-            yield from _refused(place, _check_label, text)
+            yield from _refused(place, partial(_check_label, text))
 
 
 def _labels(page: Layout, columns: Mapping[Place, LayoutColumn], lang: str) -> Iterator[tuple[Place, str]]:
@@ -185,11 +185,11 @@ def _check_label(text: str) -> None:
 
 
 def _unknown(place: Place, name: str, allowed: Iterable[str], what: str) -> Iterator[tuple[Place, str]]:
-    yield from _refused(place, lambda one: choose(one, allowed, what), name)
+    yield from _refused(place, partial(choose, name, allowed, what))
 
 
-def _refused(place: Place, read: Callable[[Any], Any], given: object) -> Iterator[tuple[Place, str]]:
+def _refused(place: Place, read: Callable[[], object]) -> Iterator[tuple[Place, str]]:
     try:
-        read(given)
+        read()
     except KurbelError as error:
         yield place, str(error)

@@ -374,7 +374,7 @@ def _own(name: str) -> Layout:
         return Layout(key=name, **_values(tomllib.load(stream)))
 
 
-def _values(given: Mapping[str, Any]) -> dict[str, Any]:
+def _values(given: Mapping[str, object]) -> dict[str, Any]:
     """Return what a file of kurbel's own says, as by its model; to load msgspec costs as much as a page."""
     return {key: _READ.get(key, _plain)(value) for key, value in given.items()}
 
@@ -383,7 +383,7 @@ def _plain(value: object) -> object:
     return tuple(value) if isinstance(value, list) else value
 
 
-def _heads(given: Sequence[Any]) -> tuple[Words, ...]:
+def _heads(given: Sequence[object]) -> tuple[Words, ...]:
     return tuple(Head.read(one, "") for one in given)
 
 

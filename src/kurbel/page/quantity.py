@@ -123,7 +123,7 @@ class Quantity(NamedTuple):
     names: tuple[str, ...] = ()
     rises: bool = False
     direction: Words | None = None
-    exists: Callable[[Any], Any] | None = None
+    exists: Callable[[Any], object] | None = None
 
     @property
     def options(self) -> tuple[str, ...]:
@@ -200,7 +200,7 @@ def multiplied(quantity: Quantity, times: Fraction) -> Quantity:
     above, below = times.numerator, times.denominator
 
     def scaled(function: Callable[..., Any]) -> Callable[..., Any]:
-        def call(*at: Any) -> Any:
+        def call(*at: object) -> object:
             found = function(*at)
             return found if found is None else found * above / below
 

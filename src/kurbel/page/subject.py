@@ -189,7 +189,7 @@ class Question(Worded, FrozenValue):
         )
         return self.varied(data=True) if giving_way else self
 
-    def varied(self, **changed: Any) -> Self:
+    def varied(self, **changed: object) -> Self:
         """Return the same in other units or columns, with all that it found which does not depend on them."""
         other = copy(self)
         for name in OF_COLUMNS:

@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import partial
 from itertools import product
 from math import radians
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.engine.captions import common, inner, named_load
 from kurbel.engine.cylinder import TurnPlace
@@ -94,7 +94,7 @@ def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swing
             text = number(of, partial(_degrees, peak.place), 0, 60)
             spots.extend(named_again(180 * float(peak.place), level, cycle, span, text))
 
-    def swing(turn: AnyTurn) -> Any:
+    def swing(turn: AnyTurn) -> Numeric:
         return turn.extreme(greatest=True).energy - turn.extreme(greatest=False).energy
 
     # Of W/(Q r) that is (ΔW)/(Q r).
@@ -109,7 +109,7 @@ def diagram_swing(request: TorquesRequest, panel: Panel) -> Panel:
     spots: list[MarkedPoint] = []
     span = _span(request)
 
-    def swing(kind: Kind) -> Any:
+    def swing(kind: Kind) -> Numeric:
         return excess.swing(kind) * kind.of(times * Fraction(10) ** -power)
 
     for greatest in ENDS.values():

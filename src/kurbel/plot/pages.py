@@ -111,7 +111,7 @@ def _across(asked: Question) -> _Across:
     lang = asked.lang
     if name == "angle":
         return _Across(name, known[name], over_angle(lang))
-    axis: Any = axes[name]
+    axis = axes[name]
     if name == "ratio":
         label = f"{RATIO[lang].removesuffix(' R:L')} $R/L$"
     else:
@@ -150,7 +150,7 @@ def _traces(asked: Question, across: _Across, keys: Sequence[str]) -> Iterator[T
     others = {name: axis.size for name, axis in axes.items() if name != across.name}
     columns = [(place, one) for place, one in enumerate(asked.page_columns) if not keys or one.key in keys]
     found = [axis for axis in axes.values() if isinstance(axis, Axis) and axis.found and axis.field().symbol]
-    quantities: list[tuple[Quantity, object]] = [
+    quantities: list[tuple[Quantity, Axis | tuple[int, Column]]] = [
         *((_of_axis(axis), axis) for axis in found),
         *((one.quantity, (place, one)) for place, one in columns),
     ]
@@ -171,7 +171,7 @@ def _of_axis(axis: Axis) -> Quantity:
     return entry(field.key, field.name, field.symbol, field.unit, field.decimals, {})
 
 
-def _at(asked: Question, what: Any, place: Mapping[str, int]) -> float:
+def _at(asked: Question, what: Axis | tuple[int, Column], place: Mapping[str, int]) -> float:
     if not asked.subject.exists(asked, place):
         return nan
     if isinstance(what, Axis):

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from functools import wraps
 from os import PathLike
 from types import NoneType
-from typing import Any, ParamSpec, TypeVar
+from typing import ParamSpec, TypeVar
 
 from kurbel.errors import KeywordError, KurbelError
 
@@ -82,7 +82,7 @@ _RETURN = "return"
 # Keywords that say how a page is written, and not what stands on it.
 WRITING = frozenset(("format", "decimal", "output", "standalone", "longtable", "siunitx", "plain", "excel"))
 # Annotations, with what a value must be.
-_KINDS: Mapping[str, tuple[Any, str]] = {
+_KINDS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "str": ((str, NoneType), "text"),
     "str | None": ((str, NoneType), "text"),
     "str | os.PathLike[str]": ((str, PathLike), "the name of a file"),

@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, ClassVar, NamedTuple, Self, TypeAlias, TypeVar
 
 from kurbel.errors import KurbelError
 from kurbel.reading.given import allowed_name
@@ -35,7 +35,7 @@ class Fault(KurbelError):
     """What a value must be; the sentence has its name and the value before that."""
 
 
-def about(text: str, example: Any = None, schema: dict[str, object] | None = None) -> Meta:
+def about(text: str, example: object = None, schema: dict[str, object] | None = None) -> Meta:
     """Return what is said of a field, to editors too, an example of it, and its JSON Schema where its type
     does not say it."""
     from msgspec import Meta

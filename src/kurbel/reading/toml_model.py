@@ -43,14 +43,14 @@ def read_rest(file: TomlFile, model: type[Model]) -> tuple[Model, list[tuple[Pla
     return _converted(file, model), faults
 
 
-def _faults(file: TomlFile, model: type[Any]) -> Iterator[tuple[Place, str]]:
+def _faults(file: TomlFile, model: type[Model]) -> Iterator[tuple[Place, str]]:
     if model not in _SHAPES:
         _SHAPES[model] = inspect.type_info(model)
     return _faults_in(file.given, _SHAPES[model], ())
 
 
 # Of some of them a command reads many files.
-_SHAPES: dict[type[Any], inspect.Type] = {}
+_SHAPES: dict[type, inspect.Type] = {}
 
 
 def _converted(file: TomlFile, model: type[Model]) -> Model:
@@ -132,7 +132,7 @@ def left(shape: inspect.UnionType) -> inspect.Type:
     return left
 
 
-def _made(kind: Any, value: object, name: str = "") -> Any:
+def _made(kind: Any, value: object, name: str = "") -> object:
     return kind.read(value, name)
 
 

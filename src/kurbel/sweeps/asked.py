@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor, log10, prod
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -290,7 +290,7 @@ def _with_angles(plan: Plan, order: Sequence[str]) -> Plan:
             groups = (tuple(exact if one is axis else one for one in group) for group in plan.groups)
             axis, plan = exact, replace(plan, groups=tuple(groups))
         return _over_strokes(plan, question, shifted(axis.values, question.zero))
-    angles: Any = getattr(question, "angles", ())
+    angles: Sequence[Fraction] = getattr(question, "angles", ())
     plan = _over_strokes(plan, question, angles)
     axis = Axis("angle", shifted(angles, -question.zero))
     given = {name: value for name, value in plan.given.items() if name not in (*RUN, "angle")}

@@ -16,7 +16,7 @@ from contextlib import contextmanager, suppress
 from queue import Empty, SimpleQueue
 from socket import create_connection
 from time import monotonic, sleep
-from typing import Any, TypeVar
+from typing import Generic, TypeVar
 
 from kurbel.errors import ChoiceError, FailedError
 from kurbel.reading.environment import missing_extra
@@ -43,7 +43,7 @@ SCHEMES = ("tcp://", "tls://")
 RUNNERS = ("kurbel", "dask", "distributed")
 
 
-class Cluster:
+class Cluster(Generic[Made]):
     """The workers of a scheduler, to whom pieces are given by their numbers; `make` goes to them once.
 
     `name` is no other run's. Of the `files` that pieces are made of workers must see the same content, and
@@ -53,7 +53,7 @@ class Cluster:
     def __init__(
         self,
         scheduler: str,
-        make: Callable[[int], object],
+        make: Callable[[int], Made],
         name: str,
         files: Mapping[str, str],
         libraries: tuple[str, ...] = LIBRARIES,
@@ -69,8 +69,8 @@ class Cluster:
         except BaseException:
             self._client.close(timeout=PATIENCE)
             raise
-        self._done: SimpleQueue[tuple[int, Future[object]]] = SimpleQueue()
-        self._given: dict[int, Future[object]] = {}
+        self._done: SimpleQueue[tuple[int, Future[Made]]] = SimpleQueue()
+        self._given: dict[int, Future[Made]] = {}
         self._seen, self._most = monotonic(), self._looked(1)
 
     @property
@@ -96,7 +96,7 @@ class Cluster:
         self._given[number] = future
         future.add_done_callback(lambda done: self._done.put((number, done)))
 
-    def take(self) -> tuple[int, Any]:
+    def take(self) -> tuple[int, Made]:
         """Return a piece that is done; raise what kept it from being made."""
         number, future = self._next()
         try:
@@ -117,7 +117,7 @@ class Cluster:
         del self._given[number]
         return number, made
 
-    def _next(self) -> tuple[int, Future[Any]]:
+    def _next(self) -> tuple[int, Future[Made]]:
         """Return a piece that has an end, good or bad, as long as there is anybody who works."""
         alone = None
         while True:

@@ -156,7 +156,7 @@ class Coordinates:
     def at(self, points: Points) -> Mapping[str, Any]:
         """Return the values of each axis at these points: an array of floats, or a list of texts."""
         last = len(self.plan.groups) - 1
-        found: dict[str, Any] = {}
+        found: dict[str, Cell] = {}
         repeated, places = 1, points.places
         for number in range(last, -1, -1):
             group, size = self.plan.groups[number], self.plan.sizes[number]
@@ -191,7 +191,7 @@ class Coordinates:
         }
 
 
-def values_at(plan: Plan, axis: Axis, places: Places, unit: str = "") -> Any:
+def values_at(plan: Plan, axis: Axis, places: Places, unit: str = "") -> Cell:
     """Return the values of an axis at these places, in this unit or that of the SI: an array of floats, or a
     list of texts."""
     return _Values.of(plan, axis, unit).at(places)

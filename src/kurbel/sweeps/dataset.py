@@ -26,6 +26,7 @@ from kurbel.sweeps.about import cf_of, cf_of_file
 from kurbel.sweeps.asked import planned
 from kurbel.sweeps.columns import Column, Part
 from kurbel.sweeps.grid import Grid, chunks_of
+from kurbel.sweeps.plan import Cell
 from kurbel.sweeps.records import IN_BALLS
 from kurbel.sweeps.rows import Sweep
 
@@ -274,7 +275,7 @@ def _structured(part: Part, columns: list[Column] | tuple[Column, ...]) -> NDArr
     return rows
 
 
-def _column_values(column: Column, values: Any) -> Any:
+def _column_values(column: Column, values: Cell) -> Cell | NDArray[np.object_]:
     if column.kind != "decimal":
         return values
     assert column.decimals is not None

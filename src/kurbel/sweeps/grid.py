@@ -101,7 +101,7 @@ class Grid:
         """The columns that tell the records of a point apart."""
         return [one for one in self.sweep.columns if one.role == "axis" and not one.option]
 
-    def records(self) -> Iterator[tuple[Array, Any]]:
+    def records(self) -> Iterator[tuple[Array, NDArray[np.generic]]]:
         """Yield the arrays of what tells the records of a point apart, and their values at a point."""
         found = self._point()
         for column in self.apart:
@@ -128,7 +128,7 @@ class Grid:
                 array = Array(column.key, column.kind, (dim,), (size,), (min(size, CHUNK),), about)
                 yield array, partial(self._along, axis, column)
 
-    def _along(self, axis: Axis, column: Column, start: int, stop: int) -> Any:
+    def _along(self, axis: Axis, column: Column, start: int, stop: int) -> NDArray[np.generic]:
         if self.sweep.plan.kept is None:
             found = values_at(self.sweep.plan, axis, np.arange(start, stop), column.unit)
         else:
@@ -209,13 +209,13 @@ def fill(sweep: Sweep, batches: Iterable[pa.RecordBatch], store: Store) -> None:
     _explain(store, [*numbers])
 
 
-def _records(store: Store, grid: Grid) -> Iterator[tuple[str, Any]]:
+def _records(store: Store, grid: Grid) -> Iterator[tuple[str, NDArray[np.generic]]]:
     for array, values in grid.records():
         store.create(array)[:] = values
         yield array.key, values
 
 
-def _check_records(records: Mapping[str, NDArray[Any]], batch: pa.RecordBatch, first: int) -> None:
+def _check_records(records: Mapping[str, NDArray[np.generic]], batch: pa.RecordBatch, first: int) -> None:
     """Raise ProblemError where the records of a point are not those of the others."""
     for key, values in records.items():
         column = batch[key]

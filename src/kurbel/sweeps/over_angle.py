@@ -175,11 +175,12 @@ def question_at(plan: Plan, point: int, angles: Sequence[Fraction], digits: int 
     return plan.question(point, digits, angle=ends).for_data
 
 
-def _curves(question: Any, degrees: Floats) -> list[Floats | float]:
+def _curves(question: Question, degrees: Floats) -> list[Floats | float]:
     if isinstance(question, AngleQuestion):
         return [of_drives[0] for of_drives in question.curves(degrees)]
     from kurbel.engine.arrays import at_angles
 
+    assert isinstance(question, EngineRequest)
     method = (question.methods or ("exact",))[0]
     found: list[Floats | float] = []
     for column in question.page_columns:

@@ -140,7 +140,7 @@ class Unit(ABC):
         """How many rows it has; the last one may have fewer."""
 
     @abstractmethod
-    def write(self, number: int, sink: Any) -> None:
+    def write(self, number: int, sink: object) -> None:
         """Write the rows of a number."""
 
     @property
@@ -187,7 +187,7 @@ class _Summed:
         """All is written as it comes."""
 
 
-def _kept(write: Callable[[Any], object], number: int, folder: str, suffix: str) -> str:
+def _kept(write: Callable[[_Summed], object], number: int, folder: str, suffix: str) -> str:
     """Write a part, whole or not at all, and return its name, which tells whether it is still whole."""
     begin = f"{subfolder(number)}/{number:012d}"
     # Not the folders above: if they are gone, the run has ended.
@@ -230,7 +230,7 @@ class Parts(Unit):
     def rows(self) -> int:
         return self.sweep.rows_at_once
 
-    def write(self, number: int, sink: Any) -> None:
+    def write(self, number: int, sink: object) -> None:
         start = number * self.rows
         part = self.sweep.computed(start, start + self.rows_of(number))
         batch = own_batch_of(self.sweep, part)
@@ -247,7 +247,7 @@ class Partitions(Unit):
     def rows(self) -> int:
         return ROWS
 
-    def write(self, number: int, sink: Any) -> None:
+    def write(self, number: int, sink: object) -> None:
         write_partition(self.sweep, self._batches(number), sink)
 
     def _batches(self, number: int) -> Iterator[pa.RecordBatch]:

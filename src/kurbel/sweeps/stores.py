@@ -19,6 +19,7 @@ from kurbel.sweeps.grid import Array, fill
 from kurbel.sweeps.rows import Sweep
 
 if TYPE_CHECKING:
+    import h5netcdf
     import pyarrow as pa
     from _typeshed import ReadableBuffer
 
@@ -84,7 +85,7 @@ def _while_sound(batches: Iterable[pa.RecordBatch], disk: _Disk) -> Iterator[pa.
 
 
 class _File:
-    def __init__(self, file: Any, text: Any) -> None:
+    def __init__(self, file: h5netcdf.File, text: object) -> None:
         self._file, self._text = file, text
 
     def create(self, array: Array) -> Any:
