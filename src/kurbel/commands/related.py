@@ -143,8 +143,7 @@ def of_locomotive(second: SecondComputation, key: str, method: str, row: Row) ->
         return omega() * omega()
 
     def lifting() -> Number:
-        found: Number = (number(run.load) / blow(share)).root()
-        return found
+        return (number(run.load) / blow(share)).root()
 
     side = int("right" in key)
     wheel = (run.wheel or Fraction(0)) / 2

@@ -99,8 +99,7 @@ class Condition:
                     f'condition "{self.text[:60]}" has powers beyond 10^308, which are not computed; write it'
                     " with smaller ones"
                 ) from None
-        mask: Mask = found.astype(bool)
-        return mask
+        return found.astype(bool)
 
 
 class _Float(NamedTuple):

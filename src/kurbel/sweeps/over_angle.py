@@ -67,8 +67,7 @@ class OverAngle:
 
     @cached_property
     def angles(self) -> Sequence[Fraction]:
-        found: Sequence[Fraction] = self.asked.plan.groups[self.group][0].values
-        return found
+        return self.asked.plan.groups[self.group][0].values
 
     @cached_property
     def after(self) -> int:

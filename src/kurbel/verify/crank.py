@@ -64,8 +64,7 @@ class Crank:
         return gone if sense == OUT else 2 - gone
 
     def share(self, pin: Arrow, sense: int) -> Number:
-        found: Number = self.moved(pin, sense).value / self.size
-        return found
+        return self.moved(pin, sense).value / self.size
 
     def course(self, at: Place, order: int, true: bool = False) -> Jet:
         """T at its own angle with as many slopes: F of the share of the stroke, times dx/dφ; `true` with the

@@ -49,8 +49,7 @@ class PinForces(NamedTuple):
 
     def force(self, name: str) -> Jet | Number:
         if name in self._fields:
-            found: Jet | Number = getattr(self, name)
-            return found
+            return getattr(self, name)
         return -self.on_pin.dot(self.pin) if name == "radial_force" else self.pin.cross(self.on_pin)
 
 
@@ -137,13 +136,11 @@ class Drive(Places):
             way = self.moved(end, stroke) if of == "path" else self.turned(end, stroke)
             return way.derived(slope)
         if name == "rod_along":
-            along: Jet = end.derived().dot(rod) / rod.size() * stroke
-            return along
+            return end.derived().dot(rod) / rod.size() * stroke
         if name == "slowest_point":
             # Where the velocity, which changes evenly along the rod, is square to its change.
             change = rod.derived()
-            slowest: Jet = -end.derived().dot(change) / change.square()
-            return slowest
+            return -end.derived().dot(change) / change.square()
         if name == "fd":
             return self.rod + rod.x
         if name in ("psi", "rod"):
@@ -157,8 +154,7 @@ class Drive(Places):
             tangent = self.way(end, OUT)
             return -direction(tangent.dot(rod), tangent.cross(rod))
         moved = self.dead(stroke).minus(end).times(number(stroke))
-        path: Jet = moved.size() if name == "chord" else moved.x if name == "slide_path" else -moved.y
-        return path
+        return moved.size() if name == "chord" else moved.x if name == "slide_path" else -moved.y
 
     def held(self, place: Place, stroke: int, method: str, more: int) -> PinForces:
         """What a force of 1 on B in the direction of the stroke does, which rod and guide hold."""
@@ -203,8 +199,7 @@ class Drive(Places):
         arrow = moved.slope(order) if order else moved.value().minus(Arrow(before.x, number(0)))
         if part == "direction":
             return heading(*arrow)
-        known: Number = {"along": -arrow.x, "across": arrow.y, "": arrow.size()}[part]
-        return known
+        return {"along": -arrow.x, "across": arrow.y, "": arrow.size()}[part]
 
     def unit(self, unit: str) -> Number:
         radius, omega = number(self.radius), self.omega
@@ -321,8 +316,7 @@ def _parallel(name: str, pin: Arrow) -> Jet | Number:
     order = _ORDERS.get(quantity, 0)
     if not part.startswith("coupler"):
         raise ProblemError(f'there is no "{name}" of parallel cranks to verify')
-    found: Jet = (pin.y if "rise" in name else 1 - pin.x).derived(order)
-    return found
+    return (pin.y if "rise" in name else 1 - pin.x).derived(order)
 
 
 def _lead(drive: Drive) -> Number:

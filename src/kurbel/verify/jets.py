@@ -147,8 +147,7 @@ def angle_of(value: Number, slope: Jet) -> Jet:
 def slope_of(found: Jet | Number, order: int) -> Number:
     """The slope of this order, 0 the value, of what may have none for it does not change."""
     if isinstance(found, Jet):
-        slope: Number = found.slope(order)
-        return slope
+        return found.slope(order)
     return number(0) if order else found
 
 

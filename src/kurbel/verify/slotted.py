@@ -80,8 +80,7 @@ class SlottedLever(Drive):
 
     @property
     def stroke(self) -> Number:
-        found: Number = self.dead(OUT).x - self.dead(RETURN).x
-        return found
+        return self.dead(OUT).x - self.dead(RETURN).x
 
     @property
     def swing(self) -> Number:
