@@ -219,12 +219,12 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
     ]  # fmt: skip
 
 
-def output_option(help: str, **more: Any) -> click.Parameter:
+def output_option(help: str, default: str | None = None) -> click.Parameter:
     """Return -o, the file that is written."""
-    written = click.Path(allow_dash=True)
     return Option(
-        ["output", "-o", "--output"], type=written, metavar="FILE", callback=_named, help=help, **more
-    )
+        ["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", callback=_named,
+        help=help, default=default,
+    )  # fmt: skip
 
 
 def _named(context: click.Context, parameter: click.Parameter, name: str | None) -> str | None:

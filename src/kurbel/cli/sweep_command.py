@@ -172,17 +172,17 @@ def words_of(
     return [*words, *typed], {name: flags.get(name, ()) for name in values}
 
 
-def _words(read: ReadFile, option: click.Option, given: Sequence[Any]) -> Iterator[str]:
+def _words(read: ReadFile, option: click.Option, given: Sequence[object]) -> Iterator[str]:
     flag = max(option.opts, key=len)
     for one in given:
         if isinstance(one, bool):
             yield from [flag] if one else []
         else:
             named = isinstance(option.type, FileName) or option.name == "output"
-            yield f"{flag}={read.beside(one) if named else one}"
+            yield f"{flag}={read.beside(str(one)) if named else one}"
 
 
-def _of_sweeps(read: ReadFile) -> Iterator[tuple[str, Sequence[Any]]]:
+def _of_sweeps(read: ReadFile) -> Iterator[tuple[str, Sequence[object]]]:
     """Yield what the file says of the sweep itself by the names of the options, each as a list of values."""
     said = {name: getattr(read.declared, name) for name in ("output", *OWN)}
     for name, value in (said | {"columns": ",".join(read.declared.columns)}).items():

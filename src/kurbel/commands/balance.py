@@ -286,7 +286,8 @@ class BalanceOptions(
         cranks = DescribedDrive(self.ratio, self.stroke, self.rod).cranks(page.ratios)
         masses = self.reciprocating or ()
         first = Masses(self.values.instead({"reciprocating": masses[0] if masses else None}))
-        crank, *_ = first.weighed(mechanism("straight"), cranks)
+        straight = mechanism("straight")
+        crank = straight.crank(first.weighed(straight, cranks)[0])
         if in_metres and self.says("spacing"):
             raise ProblemError("the positions are lengths, and --spacing gives their unit; leave one out")
         unit = Fraction(1) if in_metres else self.spacing

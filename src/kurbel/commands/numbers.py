@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from decimal import Context, Decimal
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.commands.part import Values
 from kurbel.commands.parts.drive import Series
@@ -74,7 +74,7 @@ def compute(
     method: str = "exact",
     order: int | None = None,
     offset: Exact = 0,
-    **given: Any,
+    **given: object,
 ) -> dict[str, NDArray[np.float64]]:
     """Return each quantity as an array of floats; `angles`, in degrees, and `ratio` broadcast.
 

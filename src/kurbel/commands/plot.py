@@ -98,6 +98,7 @@ class PlotOptions(AnyDrive, DrawingSize, FilmOptions, CommandOptions):
     def _mechanism(self, chosen: Mechanism, drive: Drive, angles: Sequence[Fraction]) -> Drawing:
         """Return the mechanism to scale at crank angles, the first one strong."""
         from kurbel.plot.animated import mechanism_film
+        from kurbel.plot.drawings import standing_drawing
         from kurbel.plot.stage import coupled
 
         lang, mark, turn = self.lang, mark_of(self.lang, self.decimal), self.turn
@@ -106,7 +107,8 @@ class PlotOptions(AnyDrive, DrawingSize, FilmOptions, CommandOptions):
             chosen.rod_ends()
             points = points_of(self.point, [chosen.crank(drive)])
         paths = coupled(points, found_at(chosen.moving)(drive)) if points else ()
-        drawn = found_at(chosen.drawing)(drive, angles, lang, mark, self.size, paths)
+        standing, title = found_at(chosen.drawing)(drive, lang)
+        drawn = standing_drawing(standing, title, angles, lang, mark, self.size, paths)
         if turn is None:
             return Drawing.of(drawn, lang, mark)
         beside = _of_points(chosen, drive, points, lang) if points else _motion(chosen, [drive], lang)

@@ -6,9 +6,9 @@ Titles and captions are labels in the notation of `labels.py`; what stands in a 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
-from kurbel.documents.prose import terms
+from kurbel.documents.prose import Block, terms
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS, Label
 from kurbel.page.labels import plain
 
@@ -48,7 +48,7 @@ class Item(NamedTuple):
     number: int = 0
     lang: str = ""
     caption: Label = ""
-    blocks: Sequence[Any] = ()
+    blocks: Sequence[Block] = ()
 
 
 class Chapter(NamedTuple):

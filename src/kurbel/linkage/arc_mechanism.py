@@ -294,7 +294,7 @@ class RockerMechanism(LinkageMechanism):
 
     loads = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
-    drawing = "kurbel.plot.drawings:arc_drawing"
+    drawing = "kurbel.plot.drawings:arc_standing"
     moving = "kurbel.plot.moving:rocker_scene"
     rod = "kurbel.linkage.rocker:rod"
     speech: ClassVar[MechanismWords]

@@ -356,7 +356,7 @@ class LinkageMechanism(Mechanism):
 
     loads: ClassVar[tuple[str, ...]] = (FORCE,)
     forces = IN_DRAWINGS
-    drawing = "kurbel.plot.drawings:links_drawing"
+    drawing = "kurbel.plot.drawings:links_standing"
     moving = "kurbel.plot.moving:links_scene"
     examples: ClassVar[Mapping[str, str]] = {
         "table": "phi,path,rocker",

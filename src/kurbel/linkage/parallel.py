@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from kurbel.drive.at import At, known
 from kurbel.drive.crank import RODLESS, Crank, DescribedDrive

@@ -147,7 +147,7 @@ class StraightCrank(Mechanism):
         "plot": "x,c,p",
         "plot forces": "x,c,p",
     }
-    drawing = "kurbel.plot.drawings:mechanism_drawing"
+    drawing = "kurbel.plot.drawings:crank_standing"
     moving = "kurbel.plot.moving:slide_scene"
     crosshead = True
     rod = "kurbel.motion.point_quantities:rod"

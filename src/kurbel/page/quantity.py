@@ -123,7 +123,7 @@ class Quantity(NamedTuple):
     names: tuple[str, ...] = ()
     rises: bool = False
     direction: Words | None = None
-    exists: Callable[[Any], object] | None = None
+    exists: Callable[[Any], Any] | None = None
 
     @property
     def options(self) -> tuple[str, ...]:

@@ -223,30 +223,30 @@ def _title(question: Question) -> Label:
     return question.subject.caption(question)
 
 
-def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, *look: Any) -> Drawing:
-    """Return the crank drive to scale at crank angles, the first one strong."""
+def crank_standing(crank: Crank, lang: str) -> tuple[StandingDrawing, Label]:
+    """Return what draws the crank drive to scale, and its title."""
     kind = WORDS["offset drive" if crank.offset else "drive"][lang]
     offset = f", $e = {plain(crank.offset)} R$" if crank.offset else ""
     title = kind + for_ratio(crank.ratio, lang) + offset
-    return _standing(SlideStanding(float(crank.ratio), float(crank.offset)), title, angles, lang, *look)
+    return SlideStanding(float(crank.ratio), float(crank.offset)), title
 
 
-def arc_drawing(crank: RockerCrank, angles: Sequence[Fraction], lang: str, *look: Any) -> Drawing:
-    """Return the arc crank to scale, likewise."""
+def arc_standing(crank: RockerCrank, lang: str) -> tuple[StandingDrawing, Label]:
+    """Return the same of the arc crank."""
     rocker = f"${crank.letter} = {plain(crank.rocker)} R$"
     title = f"{crank.noun[lang]}{for_ratio(crank.crank.ratio, lang)}, {rocker}"
-    return _standing(RockerStanding(crank), title, angles, lang, *look)
+    return RockerStanding(crank), title
 
 
-def links_drawing(drive: Linkage, angles: Sequence[Fraction], lang: str, *look: Any) -> Drawing:
-    """Return a drive to scale by its outline, likewise."""
+def links_standing(drive: Linkage, lang: str) -> tuple[StandingDrawing, Label]:
+    """Return the same of a drive by its outline."""
     outline = drive.outline()
     assert outline is not None
     ratio = for_ratio(drive.crank.ratio, lang) if drive.crank.ratio else ""
-    return _standing(LinksStanding(outline), outline.title[lang] + ratio, angles, lang, *look)
+    return LinksStanding(outline), outline.title[lang] + ratio
 
 
-def _standing(
+def standing_drawing(
     standing: StandingDrawing,
     title: Label,
     angles: Sequence[Fraction],
@@ -255,6 +255,7 @@ def _standing(
     size: Size = USUAL,
     paths: Sequence[RodPointPath] = (),
 ) -> Drawing:
+    """Return a mechanism to scale at crank angles, the first one strong."""
     if len(angles) > MOST_POSITIONS:
         raise ProblemError(
             f"a drawing of {len(angles)} crank angles was asked for;"

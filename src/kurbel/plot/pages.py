@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
 from fractions import Fraction
 from math import ceil, isfinite, nan
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.balancing.angles import AngleRequest
 from kurbel.balancing.balance_page import RESIDUALS, UNITS, WORDS, BalanceRequest
@@ -72,9 +72,9 @@ def over_axes(question: Question, wish: DrawingWish) -> Picture:
     keys = tuple(one.key for one in columns_of(question) if one.key not in DOUBLED)
     # What is of one column has no names for it.
     keys = keys if "column" in question.axes else ()
-    own: Any = question
-    angles = {"angles": smooth(own.angles, ANGLE_STEPS)} if "angle" in question.axes else {}
-    return _drawn(asked_of(question, columns=keys, **angles), wish)
+    angles = getattr(question, "angles", ()) if "angle" in question.axes else ()
+    many = {"angles": smooth(angles, ANGLE_STEPS)} if angles else {}
+    return _drawn(asked_of(question, columns=keys, **many), wish)
 
 
 def deviations(question: Question, wish: DrawingWish) -> Picture:
@@ -126,14 +126,14 @@ def _loads(asked: Question) -> Iterator[str]:
     yield from (one.name for one in loads[:1])
 
 
-def _numbers(asked: Any, name: str, axis: PageAxis) -> list[float]:
+def _numbers(asked: Question, name: str, axis: PageAxis) -> list[float]:
     """Return the numbers of an axis, none if its places are none."""
     if name == "ratio":
-        return [float(ratio) for ratio in asked.ratios]
+        return [float(ratio) for ratio in getattr(asked, "ratios", ())]
     if name == "place":
         return [float(place + 1) for place in range(axis.size)]
     if name == "angle":
-        return [float(angle) for angle in asked.angles]
+        return [float(angle) for angle in getattr(asked, "angles", ())]
     if not isinstance(axis, Axis) or axis.found:
         return []
     if isinstance(axis, ListAxis):

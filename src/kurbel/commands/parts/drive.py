@@ -134,7 +134,7 @@ class Linked(MachineKeys):
 
 
 class AnyDrive(Linked):
-    """Any crank drive, the beam engine among them."""
+    """A crank drive of any kind, the beam engine among them."""
 
     beam = amount(
         "Beam engine: arm of the beam in units of R, or a length.",

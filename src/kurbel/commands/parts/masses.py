@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from kurbel.commands.options import Option, alone, amount, file, measure
 from kurbel.commands.part import Part, Rivals, flag_of
@@ -279,7 +279,7 @@ class Masses(MovingRod, Weight):
 
     def weighed(
         self, chosen: Mechanism, drives: Sequence[Drive], *beside: str, even: bool = False
-    ) -> list[Any]:
+    ) -> list[Drive]:
         """Return the drives with their masses, and the speed that makes forces of these.
 
         `beside` are the names of further options that every mass needs; the crank of an engine turns `even`.

@@ -252,9 +252,11 @@ FILM_WORDS: Mapping[str, Mapping[str, str]] = {
     "en": {"choose": "Choose the crank angle", "numbers": "Values at the crank angle"},
 }
 KEY = "film"
+# A name, a symbol, a unit, and the numbers at each degree.
+Spoken = tuple[Label, Label, Label, tuple[Value, ...]]
 
 
-def film_page(svg: str, title: Label, lang: str, mark: str, spoken: Sequence[tuple[Any, ...]]) -> str:
+def film_page(svg: str, title: Label, lang: str, mark: str, spoken: Sequence[Spoken]) -> str:
     """Return a page of its own: the drawing, its slider, and the printed numbers at each degree."""
     writer = FORMAT.writer
     said = writer.escape(plain(title, mark))
@@ -263,9 +265,7 @@ def film_page(svg: str, title: Label, lang: str, mark: str, spoken: Sequence[tup
     return render_document(FORMAT, "film", values)
 
 
-def film_block(
-    svg: str, name: str, title: str, lang: str, mark: str, spoken: Sequence[tuple[Any, ...]] = ()
-) -> str:
+def film_block(svg: str, name: str, title: str, lang: str, mark: str, spoken: Sequence[Spoken] = ()) -> str:
     """Return the drawing of a file that moves as part of a page of ours, with what leads it."""
     found = RUN.search(svg)
     assert found is not None
