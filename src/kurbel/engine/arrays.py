@@ -97,13 +97,13 @@ class ArrayTurn(FloatTurn):
     def of(self, value: Any) -> Any:
         return value if isinstance(value, np.ndarray) else super().of(value)
 
-    def tangential_force(self, half_turns: Numeric) -> Numeric:
+    def tangential_force(self, half_turns: Numeric) -> Floats:
         return self.total(Cylinder.effort, half_turns, 0.0)
 
     def energy_at(self, half_turns: Any) -> Floats:
         return self.energies(half_turns)
 
-    def crank_force(self, force: CrankForce, half_turns: Numeric) -> Numeric:
+    def crank_force(self, force: CrankForce, half_turns: Numeric) -> Floats:
         def of_first(cylinder: Cylinder, stroke: int, angle: Numeric) -> Numeric:
             return cylinder.force(force, stroke, angle)
 
@@ -178,7 +178,8 @@ class EnclosedTurn(AnyTurn):
         return value.half_turns if isinstance(value, Places) else super().of(value)
 
     def tangential_force(self, half_turns: Any) -> Numeric:
-        return self._total(Cylinder.effort, half_turns)
+        found: Numeric = self._total(Cylinder.effort, half_turns)
+        return found
 
     def energy_at(self, half_turns: Any) -> Any:
         return self._total(Cylinder.energy, half_turns) - self.begun_energy

@@ -324,7 +324,8 @@ class AnyTurn(ABC):
     def tangential_force(self, half_turns: Fraction) -> Numeric:
         """The tangential force T/Q of all cranks."""
         cylinders = self.cylinders
-        return sum(cylinders[part].effort(*one) for part, *one in self.positions(half_turns))
+        total: Numeric = sum(cylinders[part].effort(*one) for part, *one in self.positions(half_turns))
+        return total
 
     def power(self, half_turns: Fraction) -> Numeric:
         """The work of all cranks over the angle in radians, in Q R."""

@@ -105,7 +105,7 @@ _STAGES = (
 
 def value(quantity: Quantity, turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the quantity in its unit, on the kind of number of the turn."""
-    found = quantity.formulas[turn.method].kernel(turn, where)
+    found: Numeric = quantity.formulas[turn.method].kernel(turn, where)
     return found * quantity.scale(turn) if quantity.scale else found
 
 

@@ -179,12 +179,14 @@ def _work(given: Mapping[str, Any]) -> tuple[Floats, Floats, Floats]:
 def _valid(given: Mapping[str, Any]) -> NDArray[np.bool_]:
     """Return where every input is one that an engine takes."""
     eps, ratio, clearance, exponent = (given[name] for name in ("eps", "ratio", "clearance", "exponent"))
-    good = (eps >= 1) & (eps <= LARGEST_EXPANSION) & (ratio >= 0) & (ratio < 1)
+    good: NDArray[np.bool_] = (eps >= 1) & (eps <= LARGEST_EXPANSION) & (ratio >= 0) & (ratio < 1)
     good &= (
         (clearance >= 0) & (clearance <= LARGEST_CLEARANCE) & (exponent > 0) & (exponent <= LARGEST_EXPONENT)
     )
     good &= (exponent == 1) | (np.abs(exponent - 1) > float(2 * LEAST_CURVE))
-    return good if given["back"] is None else good & (given["back"] >= 0) & (given["back"] <= 1)
+    if given["back"] is not None:
+        good &= (given["back"] >= 0) & (given["back"] <= 1)
+    return good
 
 
 def _arithmetic(method: str, size: int, fast: bool | None) -> Arithmetic:

@@ -176,7 +176,8 @@ class EngineRequest(Question):
         if len(self.page_columns) * len(self) <= few or self.carded:
             return None
         own = "EngineColumns" if over_angle else "Irregularities"
-        return worthwhile(self, f"kurbel.engine.arrays:{own}")
+        found: LongColumns | Irregularities | None = worthwhile(self, f"kurbel.engine.arrays:{own}")
+        return found
 
     def where(self, place: Place) -> TurnPlace:
         return TurnPlace(

@@ -120,7 +120,7 @@ class At(NamedTuple):
 
     def value(self, quantity: Quantity) -> arb:
         """Return the quantity as a ball at the precision in force."""
-        return quantity(self.segment, self.place.half_turns()).value
+        return ball(quantity(self.segment, self.place.half_turns()).value)
 
 
 class Part(NamedTuple):

@@ -97,22 +97,18 @@ class At(NamedTuple):
 
 def amplitude(at: At) -> Numeric:
     """Return c_k."""
-    wave = _whole(at)
-    square = wave.cosine * wave.cosine + wave.sine * wave.sine
+    wave = known(at.wave)
+    square: Numeric = wave.cosine * wave.cosine + wave.sine * wave.sine
     return square**0.5 if square else square
 
 
 def phase(at: At) -> Numeric:
     """Return ψ_k in radians, above -π and up to π, of a harmonic that is one."""
-    wave = _whole(at)
+    wave = known(at.wave)
     across, along = -wave.sine, wave.cosine
     if isinstance(along, float):
         return atan2(across, along)
     return (1 - along.sgn()) / 2 * flint.arb.pi() if across == 0 else flint.arb.atan2(across, along)
-
-
-def _whole(at: At) -> Wave:
-    return known(at.wave)
 
 
 def star(at: At) -> Star:
@@ -153,8 +149,9 @@ def registry() -> Mapping[str, Quantity]:
 def _entries() -> Iterator[Quantity]:
     for key, name, letter, kernel in (
         ("cosine", "Kosinusglied der Harmonischen|Cosine term of the harmonic", "a_k",
-         lambda at: _whole(at).cosine),
-        ("sine", "Sinusglied der Harmonischen|Sine term of the harmonic", "b_k", lambda at: _whole(at).sine),
+         lambda at: known(at.wave).cosine),
+        ("sine", "Sinusglied der Harmonischen|Sine term of the harmonic", "b_k",
+         lambda at: known(at.wave).sine),
         ("amplitude", "Amplitude der Harmonischen|Amplitude of the harmonic", "c_k", amplitude),
     ):  # fmt: skip
         of_force = _entry(key, name, f"${letter}$", "$Q$", 5, kernel)
@@ -181,7 +178,7 @@ def _entries() -> Iterator[Quantity]:
 
 def value(quantity: Quantity, at: At) -> Numeric:
     """Return the quantity in its unit, on the kind of number of the turn, or a fraction."""
-    found = quantity.formulas[at.turn.method].kernel(at)
+    found: Numeric = quantity.formulas[at.turn.method].kernel(at)
     return found * quantity.scale(at.turn) if quantity.scale else found
 
 

@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.drive.at import known
 from kurbel.kernel import forces
 
 if TYPE_CHECKING:
-    from kurbel.drive.wheel import Flywheel
     from kurbel.engine.cylinder import AnyTurn, TurnPlace
     from kurbel.engine.engine import Engine
     from kurbel.exact.kind import Kind
@@ -53,14 +52,12 @@ def kilopascals(turn: AnyTurn) -> Numeric:
 
 def volumetric_efficiency(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the share of the stroke on which a compressor sucks air."""
-    load: Any = turn.engine.steam
-    return load.volumetric_efficiency(turn.cylinder.kind)
+    return _of_load(turn, "volumetric_efficiency")
 
 
 def delivered(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the volume that a stroke delivers, in the state of suction, as a share of the swept one."""
-    load: Any = turn.engine.steam
-    return load.delivered(turn.cylinder.kind)
+    return _of_load(turn, "delivered")
 
 
 def flow(turn: AnyTurn, where: TurnPlace) -> Numeric:
@@ -74,10 +71,14 @@ def flow(turn: AnyTurn, where: TurnPlace) -> Numeric:
     return delivered(turn, where) * swept * turns
 
 
+def _of_load(turn: AnyTurn, name: str) -> Numeric:
+    found: Numeric = getattr(turn.engine.steam, name)(turn.cylinder.kind)
+    return found
+
+
 def efficiency(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the share of the heat that becomes work in an ideal gas cycle."""
-    load: Any = turn.engine.steam
-    return load.efficiency(turn.cylinder.kind)
+    return _of_load(turn, "efficiency")
 
 
 def ends(engine: Engine) -> Fraction:
@@ -147,7 +148,7 @@ _STAGES: dict[str, Callable[[Expansion, Numeric], Numeric]] = {
 
 def mean_torque(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """|P| r in N m: of the power, rational where the speed is given in radians, or of the load."""
-    wheel = _flywheel(where)
+    wheel = known(where.flywheel)
     if wheel.power is None:
         return abs(turn.mean_force()) * turn.torque_unit()
     turns = wheel.power / wheel.speed.value
@@ -156,19 +157,19 @@ def mean_torque(turn: AnyTurn, where: TurnPlace) -> Numeric:
 
 def power_of(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """The power in W, as it is given or of the steam."""
-    given = _flywheel(where).power
+    given = known(where.flywheel).power
     return mean_torque(turn, where) * _number(turn, speed(turn, where)) if given is None else given
 
 
 def turns_a_minute(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """n in 1/min."""
-    given = _flywheel(where).speed
+    given = known(where.flywheel).speed
     return 60 * given.value if given.turns else turn.of(30 * given.value) / turn.pi
 
 
 def speed(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """ω in 1/s."""
-    given = _flywheel(where).speed
+    given = known(where.flywheel).speed
     return given.omega(turn) if given.turns else given.value
 
 
@@ -177,21 +178,17 @@ def swing(turn: AnyTurn, where: TurnPlace) -> Numeric:
 
 
 def inertia(turn: AnyTurn, where: TurnPlace) -> Numeric:
-    irregularity = turn.of(_flywheel(where).irregularity)
+    irregularity = turn.of(known(where.flywheel).irregularity)
     return forces.moment_of_inertia(swing(turn, where), irregularity, _number(turn, speed(turn, where)))
 
 
 def mass(turn: AnyTurn, where: TurnPlace) -> Numeric:
-    radius = known(_flywheel(where).radius)
+    radius = known(known(where.flywheel).radius)
     return inertia(turn, where) / turn.of(radius * radius)
 
 
 def _number(turn: AnyTurn, value: Numeric) -> Numeric:
     return turn.of(value) if isinstance(value, Fraction) else value
-
-
-def _flywheel(where: TurnPlace) -> Flywheel:
-    return known(where.flywheel)
 
 
 def true_inertia(turn: AnyTurn, where: TurnPlace) -> Numeric:
@@ -201,7 +198,7 @@ def true_inertia(turn: AnyTurn, where: TurnPlace) -> Numeric:
     and least where it is least at that; the inertia of the masses in the dead centre where energies begin
     does not count. Re-derived.
     """
-    wheel = _flywheel(where)
+    wheel = known(where.flywheel)
     high, low = (turn.at_speed(1 + sign * wheel.irregularity / 2) for sign in (1, -1))
     swung = high.extreme(greatest=True).energy - low.extreme(greatest=False).energy
     moment, omega = _number(turn, turn.torque_unit()), _number(turn, speed(turn, where))

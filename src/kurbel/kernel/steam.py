@@ -167,7 +167,7 @@ def logarithm(number: Any) -> Numeric:
     return np.log(number)
 
 
-def larger(one: Any, other: Any) -> Any:
+def larger(one: Any, other: Any) -> Numeric:
     """Return the larger of two numbers of a kind; of balls that overlap, one that holds either."""
     if isinstance(one, (int, float)) and isinstance(other, (int, float)):
         return max(one, other)
@@ -179,6 +179,6 @@ def larger(one: Any, other: Any) -> Any:
     return np.maximum(one, other)
 
 
-def smaller(one: Numeric, other: Numeric) -> Any:
+def smaller(one: Numeric, other: Numeric) -> Numeric:
     """Return the smaller of two numbers of a kind; of balls that overlap, one that holds either."""
     return -larger(-one, -other)

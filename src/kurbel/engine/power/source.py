@@ -147,7 +147,8 @@ class ActingPressure:
         if self.carded:
             return kind.of(Fraction(float(self._estimate.value)))
         if self.sought is not None or getattr(self.load, "stages", 1) > 1:
-            return self.load.mean(kind, **self.found(kind))
+            own: Numeric = self.load.mean(kind, **self.found(kind))
+            return own
         mean = mean_pressure_of(self.engine, kind)
         return -mean if self.driven else mean
 
@@ -168,7 +169,8 @@ class ActingPressure:
         steam = self.load.numbers(kind.of, kind.exponent)
         if self.sought is not None:
             steam = steam._replace(**self.sought.on(kind))
-        return steam.cut_off + steam.clearance - self.load.kept(steam, kind)
+        taken: Numeric = steam.cut_off + steam.clearance - self.load.kept(steam, kind)
+        return taken
 
     @cached_property
     def delivered(self) -> Product:

@@ -87,7 +87,7 @@ class CardRun(Run):
         """The time from each place to another in the same cell."""
         half = (ends - starts) / 2
         places = starts[:, None] + half[:, None] * (1 + POINTS)
-        return half * (SHARES / self.speeds(places)).sum(axis=1)
+        return np.asarray(half * (SHARES / self.speeds(places)).sum(axis=1))
 
     def speeds(self, places: Floats) -> Floats:
         """Return v/v₁ at an array of half turns."""
@@ -123,7 +123,7 @@ class HeavyCardRun(CardRun):
 
     @property
     def first_omega(self) -> Numeric:
-        return self.mean_omega * self.start**0.5
+        return self.mean_omega * float(self.start**0.5)
 
     def speed(self, half_turns: Fraction) -> Numeric:
         return float(self.speeds(np.array([float(half_turns)]))[0])
@@ -137,7 +137,7 @@ class HeavyCardRun(CardRun):
     def extreme_speed(self, greatest: bool) -> Numeric:
         squares = self._sampled.squares(self.start)
         found = top(squares) if greatest else -top([-one for one in squares])
-        return (found / self.start) ** 0.5
+        return float((found / self.start) ** 0.5)
 
     def extreme_place(self, greatest: bool) -> Numeric:
         squares = self._sampled.squares(self.start)

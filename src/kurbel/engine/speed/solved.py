@@ -143,7 +143,7 @@ class SolvedRun(AnyRun):
         return [one for one in found if not any(sign * one[1] < sign * other for _, other in found)]
 
     def _extreme(self, squares: Course, greatest: bool) -> arb:
-        found = (one for _, one in self._extremes(squares, greatest))
+        found: Iterator[Numeric] = (one for _, one in self._extremes(squares, greatest))
         return ball(reduce(larger if greatest else smaller, found))
 
 
