@@ -185,8 +185,8 @@ class MechanismWords:
     def links(self, drive: RockerCrank) -> list[Label]:
         """Return the ratio and the lengths of a drive with their letters."""
         lengths = self.lengths(drive).items()
-        known = (f"${letter} = {length} R$" for letter, length in lengths if length is not None)
-        return [f"$R:L = {ratio_text(drive.crank.ratio)}$", *known]
+        texts = (f"${letter} = {length} R$" for letter, length in lengths if length is not None)
+        return [f"$R:L = {ratio_text(drive.crank.ratio)}$", *texts]
 
     def dead_centres(self, drive: RockerCrank, lang: str) -> Label:
         """Return the line with what a drive does between its dead centres."""

@@ -409,8 +409,8 @@ class Slotted(LinkageMechanism):
     def lengths(self, drive: SlottedLever) -> list[Label]:
         """Return the lengths of a drive with their letters."""
         rod = "∞" if drive.rod is None else f"{exact_text(drive.rod)} R"
-        known = [f"$D = {exact_text(drive.pivot)} R$", f"$B = {exact_text(drive.arm)} R$", f"$L = {rod}$"]
-        return known if drive.rod is None else [*known, f"$h = {exact_text(drive.height)} R$"]
+        lengths = [f"$D = {exact_text(drive.pivot)} R$", f"$B = {exact_text(drive.arm)} R$", f"$L = {rod}$"]
+        return lengths if drive.rod is None else [*lengths, f"$h = {exact_text(drive.height)} R$"]
 
     def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[SlottedLever, ...]:
         crank = said.rodless

@@ -41,8 +41,8 @@ ONE = Fraction(1)
 
 def condition_names(entries: Iterable[Quantity]) -> Mapping[str, str]:
     """Return the names that conditions may give quantities, further names last, and what they stand for."""
-    known = [entry.names for entry in entries if entry.names]
-    return {names[0]: names[0] for names in known} | {name: names[0] for names in known for name in names[1:]}
+    named = [entry.names for entry in entries if entry.names]
+    return {names[0]: names[0] for names in named} | {name: names[0] for names in named for name in names[1:]}
 
 
 class Drive(ABC):

@@ -196,11 +196,11 @@ def _number(question: WheelRequest, column: Column, place: Place, times: int) ->
         return _acceleration(question, column, figures["inertia"].value).number(
             column.decimals, question.rounding
         )
-    known = figures.get(SHOWN[quantity.key].figure)
-    if known is None:
+    sized = figures.get(SHOWN[quantity.key].figure)
+    if sized is None:
         return None
     # In other units than its own the quantity's is a multiple.
-    shown: Product = quantity.formulas["exact"].kernel(known.value)
+    shown: Product = quantity.formulas["exact"].kernel(sized.value)
     return shown.number(column.decimals, question.rounding, times)
 
 
