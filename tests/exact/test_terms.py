@@ -18,6 +18,7 @@ from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.arc_quantities import arc_registry
 from kurbel.motion.evaluation import Needs, is_known, kernel_of, value
 from kurbel.motion.motion_quantities import registry
+from kurbel.page.quantity import Of
 from kurbel.reading.units import Speed
 
 F = Fraction
@@ -141,5 +142,5 @@ def test_every_quantity_of_the_arc_crank_has_terms_but_its_arcs() -> None:
 
             if terms(at) is None:
                 undecided.add(one.key)
-                assert one.in_degrees or one.of == "stroke", one.key
+                assert one.in_degrees or one.of is Of.STROKE, one.key
     assert "path" in undecided

@@ -46,7 +46,7 @@ from kurbel.exact.place import fraction
 from kurbel.exact.search import EQUAL_BITS, Jet, jet_of
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import ColumnAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Texts, filled
+from kurbel.page.quantity import Column, Of, Texts, filled
 from kurbel.page.subject import Subject
 from kurbel.page.table import Note
 from kurbel.reading import units
@@ -335,7 +335,7 @@ SUBJECT = Subject(
     number=_number,
     caption=_caption,
     notes=_notes,
-    of=("crank", "angle"),
+    of=(Of.CRANK, Of.ANGLE),
     exists=exists,
     letters=True,
     listed=tuple,

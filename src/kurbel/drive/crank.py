@@ -64,9 +64,7 @@ class Crank(DeadCentres):
         """Return the drive with what else is known of its crank, as of other drives."""
         return crank
 
-    def at(
-        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
-    ) -> At:
+    def at(self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: object = None) -> At:
         """Return a place of the drive, as other drives do."""
         ratio = numbers.of(stroke * (Fraction(0) if method == "infinite" else self.ratio))
         offset = numbers.of(stroke * self.offset) if self.offset else None

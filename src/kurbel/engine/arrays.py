@@ -35,15 +35,15 @@ from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.long import Angle, LongColumns, Places, quotient
 from kurbel.page.axes import Place
-from kurbel.page.quantity import Column, Quantity
+from kurbel.page.quantity import Column, Of, Quantity
 
 # Half turns by which a float may lie before a dead centre that it is in.
 ZERO_TOLERANCE = 1e-13
 # What is a number of each crank angle.
-AT_ANGLES = ("angle", "crank")
+AT_ANGLES = (Of.ANGLE, Of.CRANK)
 OnAngle = Callable[[Cylinder, int, Any], Any]
 # What is a number of each crank angle, of a turn and of its run with a flywheel, and what of the whole turn.
-AT_SPEED, OF_TURN = "speed", "turn"
+AT_SPEED, OF_TURN = Of.SPEED, Of.TURN
 # It is an integral, of which floats know no bound.
 TIME = "time"
 KEPT_TURNS = 16

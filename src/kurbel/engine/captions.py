@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from kurbel.engine.engine import Assembly, Engine
-from kurbel.engine.engine_quantities import ENGINE_METHODS
+from kurbel.engine.engine_quantities import ENGINE_METHODS, OF_RUNS
 from kurbel.engine.loads.words import LoadWords, lettered, load_text, words_of
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Label
@@ -24,8 +24,6 @@ if TYPE_CHECKING:
 CYLINDERS = Texts("engine", "cylinders")
 
 PLAIN_CAPTION = words("{quantities} {machine}{for_engine}; {method}")
-# What is of the speed under a given flywheel.
-OF_RUNS = ("speed", "evenness")
 FIRST_ORDER = words("erste Ordnung nach Weisbach|first order by Weisbach")
 DRIVEN = words("der Arbeitsmaschine|of the driven machine")
 NAMES = ("Otto", "Diesel")

@@ -22,7 +22,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, given
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place
-from kurbel.page.quantity import Column, Formula, Quantity, entry, words
+from kurbel.page.quantity import Column, Formula, Of, Quantity, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note, Value
 
@@ -88,7 +88,7 @@ def _entry(
 ) -> Quantity:
     formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
     heads = {"load": "Belastung|Load", "mean_share": "Anteil in %|Share in %"}
-    return entry(key, name, symbol, unit, decimals, formulas, heads.get(key, ""), of="cylinder", **rest)
+    return entry(key, name, symbol, unit, decimals, formulas, heads.get(key, ""), of=Of.CYLINDER, **rest)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

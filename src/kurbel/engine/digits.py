@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.at import CRANK_FORCES, known
 from kurbel.engine.cylinder import TurnPlace
-from kurbel.engine.engine_quantities import AT_ANGLE, EXTREMES, engine_registry, value
+from kurbel.engine.engine_quantities import AT_ANGLE, EXTREMES, OF_RUNS, engine_registry, value
 from kurbel.engine.turn import turn_ties
 from kurbel.errors import CardError
 from kurbel.exact.certify import TieBits, at_bits, rounded
 from kurbel.exact.numerals import Number, figures, given, nearest
 from kurbel.kernel.circle import Numeric
-from kurbel.page.quantity import Column, Quantity, bare
+from kurbel.page.quantity import Column, Of, Quantity, bare
 
 if TYPE_CHECKING:
     from kurbel.engine.card.force import CardTurn
@@ -29,8 +29,6 @@ CLEAN = 8
 # What the crank angle tells, whatever the card.
 KNOWN = ("pin_path", "pin_path_mm")
 # What follows from δ, in proportion to it.
-# What is asked of a turn with its flywheel, which knows its errors.
-OF_RUNS = ("speed", "evenness")
 SWINGS = ("swing_share", "swing", "inertia", "inertia_true", "mass")
 
 
@@ -99,7 +97,7 @@ def estimate(asked: CellValue) -> Estimate:
     if quantity.minutes:
         errors = (turn.place_error(EXTREMES[quantity.of], where.stroke) for turn in turns)
         return Estimate(best, unit * 180 * sum(errors))
-    if quantity.of == "crank":
+    if quantity.of is Of.CRANK:
         key = quantity.key.removesuffix("_n")
         of_force = sum(turn.crank_force_error(CRANK_FORCES[key], where.half_turns) for turn in turns)
         return Estimate(best, unit * _newtons(quantity, turns[0]) * of_force + FLOAT_ERROR * (abs(best) + 1))
@@ -160,7 +158,7 @@ def _sensitivity(quantity: Quantity, turn: Any, value: float) -> float:
     if quantity.of in OF_RUNS:
         return float(turn.sensitivity(quantity.key, value, _of_irregularity(turn.turn)))
     work, irregularity = 2 * len(turn.engine.cranks), _of_irregularity(turn)
-    if quantity.of == "flywheel":
+    if quantity.of is Of.FLYWHEEL:
         return irregularity / float(turn.irregularity()) * value if quantity.key in SWINGS else 0.0
     return {"delta": irregularity, "mean_force": work}.get(quantity.key, 2 * work * _newtons(quantity, turn))
 

@@ -26,7 +26,7 @@ from kurbel.page.axes import (
     angle_number,
     irregularity_label,
 )
-from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.quantity import Column, Of, Quantity, words
 from kurbel.page.subject import OVER_AXES, Subject
 from kurbel.page.table import Field
 
@@ -131,7 +131,7 @@ def _subject(
     key: str,
     layout: str,
     command: str,
-    of: tuple[str, ...],
+    of: tuple[Of, ...],
     drawn: str = OVER_AXES,
     **inner: Callable[[EngineRequest], Axis],
 ) -> Subject[EngineRequest]:
@@ -160,10 +160,10 @@ def _subject(
 _EFFORT, _FORCES = "kurbel.plot.engine:effort", "kurbel.plot.engine:forces"
 
 
-_OF_TURNS, _OF_CRANKS = ("turn", *EXTREMES), ("crank", "angle")
+_OF_TURNS, _OF_CRANKS = (Of.TURN, *EXTREMES), (Of.CRANK, Of.ANGLE)
 
 
-_OF_STROKES = (*_OF_TURNS, "stroke")
+_OF_STROKES = (*_OF_TURNS, Of.STROKE)
 
 
 IRREGULARITY = _subject("irregularity", "weisbach-150", "delta", _OF_TURNS)
@@ -181,7 +181,7 @@ PUMP = _subject("pump", "pump", "delta", _OF_STROKES, stroke=stroke_axis)
 GAS_CYCLE = _subject("gas cycle", "gas-cycle", "delta", _OF_TURNS)
 
 
-TURNING = _subject("turning", "turning", "turning", ("angle", "turn"), _EFFORT, angle=AngleAxis)
+TURNING = _subject("turning", "turning", "turning", (Of.ANGLE, Of.TURN), _EFFORT, angle=AngleAxis)
 
 
 CRANK_FORCES = _subject("crank forces", "engine-forces", "forces", _OF_CRANKS, _FORCES, angle=AngleAxis)
@@ -190,7 +190,7 @@ CRANK_FORCES = _subject("crank forces", "engine-forces", "forces", _OF_CRANKS, _
 MACHINE = _subject("machine", "machine-forces", "forces", _OF_CRANKS, _FORCES, angle=AngleAxis)
 
 
-FLYWHEEL = _subject("flywheel", "flywheel", "flywheel", ("flywheel",), _EFFORT, target=target_axis)
+FLYWHEEL = _subject("flywheel", "flywheel", "flywheel", (Of.FLYWHEEL,), _EFFORT, target=target_axis)
 
 
 PAGES = (IRREGULARITY, STROKES, TURNING, CRANK_FORCES, MACHINE, FLYWHEEL)

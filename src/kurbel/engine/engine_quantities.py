@@ -20,7 +20,7 @@ from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
 from kurbel.motion.evaluation import Method
 from kurbel.motion.motion_quantities import FORCES, Force
-from kurbel.page.quantity import Formula, Need, Quantity, Texts, Words, entry, words
+from kurbel.page.quantity import Formula, Need, Of, Quantity, Texts, Words, entry, words
 
 _IDEAL = "an ideal card, with an expansion ratio"
 
@@ -90,9 +90,11 @@ ENGINE_METHODS: Mapping[str, Method] = {
     )
 }
 # What the extremes of the speed are called, and which of them is the greatest.
-EXTREMES = {"least": False, "greatest": True}
+EXTREMES = {Of.LEAST: False, Of.GREATEST: True}
 # What is of a crank angle, of an order or of a cylinder has no least and no greatest place.
-AT_ANGLE = ("angle", "crank", "speed", "order", "cylinder")
+AT_ANGLE = (Of.ANGLE, Of.CRANK, Of.SPEED, Of.ORDER, Of.CYLINDER)
+# What is of the speed under a given flywheel.
+OF_RUNS = (Of.SPEED, Of.EVENNESS)
 
 
 # Keys, names and Weisbach's letters.
@@ -111,7 +113,7 @@ def value(quantity: Quantity, turn: AnyTurn, where: TurnPlace) -> Numeric:
 
 def applies(quantity: Quantity, where: TurnPlace) -> bool:
     """Whether there is such a number of this span."""
-    if quantity.of == "stroke":
+    if quantity.of is Of.STROKE:
         return where.stroke is not WHOLE
     return where.stroke is WHOLE or quantity.of in EXTREMES
 
@@ -130,14 +132,14 @@ def engine_registry() -> Mapping[str, Quantity]:
 
 
 def row(
-    key: str, name: str, symbol: Label, unit: Label, of: str, decimals: int | None,
+    key: str, name: str, symbol: Label, unit: Label, of: Of, decimals: int | None,
     kernel: Callable[..., Numeric], **rest: Any,
 ) -> Quantity:  # fmt: skip
     formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
     return entry(key, name, symbol, unit, decimals, formulas, spanners=(words(name),), of=of, **rest)
 
 
-def _extreme(name: str, of: str, index: str) -> Iterator[Quantity]:
+def _extreme(name: str, of: Of, index: str) -> Iterator[Quantity]:
     greatest = EXTREMES[of]
     de, en = name.split("|")
     yield row(
@@ -152,27 +154,27 @@ def _extreme(name: str, of: str, index: str) -> Iterator[Quantity]:
 
 def _turn_entries() -> Iterator[Quantity]:
     yield row("delta", "Ungleichförmigkeitsgrad|Degree of irregularity", "$δ$", "$(P r)/(m_1 v_1^2)$",
-              "turn", 3, lambda turn, where: turn.irregularity())  # fmt: skip
-    yield row("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", "turn", 5,
+              Of.TURN, 3, lambda turn, where: turn.irregularity())  # fmt: skip
+    yield row("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", Of.TURN, 5,
               lambda turn, where: turn.mean_force())  # fmt: skip
-    yield row("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4,
+    yield row("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", Of.TURN, 4,
               lambda turn, where: turn.back(), needs=(Needs.STEAM,))  # fmt: skip
-    yield row("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
+    yield row("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", Of.TURN, None,
               lambda turn, where: turn.engine.steam.exponent, needs=(Needs.CURVE,))  # fmt: skip
-    yield row("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
+    yield row("clearance", "schädlicher Raum|Clearance", "$κ$", "", Of.TURN, None,
               lambda turn, where: turn.engine.steam.clearance, needs=(Needs.CLEARANCE,))  # fmt: skip
-    yield row("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", "stroke", 3,
+    yield row("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", Of.STROKE, 3,
               lambda turn, where: 180 * turn.cut_off(where.stroke), minutes=True, needs=(Needs.STEAM,),
               )  # fmt: skip
-    yield from _extreme("kleinste Geschwindigkeit|Least speed", "least", "min")
-    yield from _extreme("größte Geschwindigkeit|Greatest speed", "greatest", "max")
-    yield row("tangential", "Tangentialkraft|Tangential force", "$T$", "$Q$", "angle", 4,
+    yield from _extreme("kleinste Geschwindigkeit|Least speed", Of.LEAST, "min")
+    yield from _extreme("größte Geschwindigkeit|Greatest speed", Of.GREATEST, "max")
+    yield row("tangential", "Tangentialkraft|Tangential force", "$T$", "$Q$", Of.ANGLE, 4,
               lambda turn, where: turn.tangential_force(where.half_turns))  # fmt: skip
     yield row("tangential_excess", "Überschuss über die mittlere|Excess over the mean", "$T - P$", "$Q$",
-              "angle", 4,
+              Of.ANGLE, 4,
               lambda turn, where: turn.tangential_force(where.half_turns) - turn.mean_force(),
               )  # fmt: skip
-    yield row("energy", "Überschussarbeit|Excess energy", "$W$", "$Q r$", "angle", 4,
+    yield row("energy", "Überschussarbeit|Excess energy", "$W$", "$Q r$", Of.ANGLE, 4,
               lambda turn, where: turn.energy_at(where.half_turns),
               direction=words("$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel"
                               "|$W$ work of the excess since the inner dead centre of the first crank"),
@@ -187,42 +189,42 @@ def _path_entries() -> Iterator[Quantity]:
         ("pin_path_mm", "mm", 2, lambda turn: turn.of(1000 * turn.engine.crank.radius) * turn.pi,
          (Needs.STROKE,)),
     ):  # fmt: skip
-        yield row(key, path, "$s$", unit, "angle", decimals, along, scale=scale, needs=needs)
-    yield row("tangential_kpa", "Tangentialdruck|Tangential pressure", "$T/A$", "kPa", "angle", 1,
+        yield row(key, path, "$s$", unit, Of.ANGLE, decimals, along, scale=scale, needs=needs)
+    yield row("tangential_kpa", "Tangentialdruck|Tangential pressure", "$T/A$", "kPa", Of.ANGLE, 1,
               lambda turn, where: turn.tangential_force(where.half_turns), needs=(Needs.LOAD,),
               scale=work.kilopascals)  # fmt: skip
 
 
 def _work_entries() -> Iterator[Quantity]:
-    yield row("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work.work)
+    yield row("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", Of.TURN, 4, work.work)
     for key, name, letter in _STAGES:
         yield row(
-            key, name, letter, "$Q r$", "turn", None, partial(work.stage_work, key), needs=(Needs.STEAM,)
+            key, name, letter, "$Q r$", Of.TURN, None, partial(work.stage_work, key), needs=(Needs.STEAM,)
         )
     per_area = "$Q$ je Kolbenfläche|$Q$ per piston area"
     heading = "|".join(f"$p_m$ in {unit}" for unit in per_area.split("|"))
-    mean = row("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, "turn", 4,
+    mean = row("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, Of.TURN, 4,
                work.mean_pressure, heading=heading)  # fmt: skip
     yield mean
     yield mean._replace(
         key="mean_pressure_kpa", unit=words("kPa"), decimals=1, heading=words("$p_m$ in kPa"),
         scale=work.kilopascals, needs=(Needs.LOAD,),
     )  # fmt: skip
-    yield row("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", "turn", None,
+    yield row("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", Of.TURN, None,
               work.power, scale=work.kilowatts, needs=(Needs.POWER,))  # fmt: skip
     yield row("volumetric_efficiency", "volumetrischer Wirkungsgrad|Volumetric efficiency", "$η_v$", "",
-              "turn", 4, work.volumetric_efficiency, needs=(Needs.COMPRESSOR,))  # fmt: skip
-    yield row("delivered", "Fördervolumen|Delivered volume", "$V/V_h$", "", "turn", 4,
+              Of.TURN, 4, work.volumetric_efficiency, needs=(Needs.COMPRESSOR,))  # fmt: skip
+    yield row("delivered", "Fördervolumen|Delivered volume", "$V/V_h$", "", Of.TURN, 4,
               work.delivered, needs=(Needs.COMPRESSOR,))  # fmt: skip
-    yield row("delivery", "Fördermenge|Delivery", "$V$", "m³/min", "turn", None, work.flow,
+    yield row("delivery", "Fördermenge|Delivery", "$V$", "m³/min", Of.TURN, None, work.flow,
               needs=(Needs.FLOW, Needs.POWER))  # fmt: skip
-    yield row("efficiency", "idealer Wirkungsgrad|Ideal efficiency", "$η$", "", "turn", 4,
+    yield row("efficiency", "idealer Wirkungsgrad|Ideal efficiency", "$η$", "", Of.TURN, 4,
               work.efficiency, needs=(Needs.HEAT,))  # fmt: skip
 
 
 def _flywheel_entries() -> Iterator[Quantity]:
     for key, name, symbol, unit, decimals, kernel, *needs in _FLYWHEEL:
-        yield row(key, name, symbol, unit, "flywheel", decimals, kernel, needs=tuple(needs))
+        yield row(key, name, symbol, unit, Of.FLYWHEEL, decimals, kernel, needs=tuple(needs))
 
 
 _SWING = "Arbeitsüberschuss|Energy swing"
@@ -254,7 +256,7 @@ def _force_entries() -> Iterator[Quantity]:
     for key, acting in CRANK_FORCES.items():
         one = FORCES.get(key, AT_CRANK)
         in_steam = row(
-            key, one.name, f"${one.letter}$", "$Q$", "crank", 4,
+            key, one.name, f"${one.letter}$", "$Q$", Of.CRANK, 4,
             lambda turn, where, force=acting: turn.crank_force(force, where.half_turns),
             direction=DIRECTIONS.get(key),
         )  # fmt: skip
@@ -264,7 +266,7 @@ def _force_entries() -> Iterator[Quantity]:
             scale=AnyTurn.force_unit, needs=(Needs.LOAD,),
         )  # fmt: skip
     yield row(
-        "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,
+        "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", Of.ANGLE, 1,
         lambda turn, where: turn.tangential_force(where.half_turns),
         scale=AnyTurn.torque_unit, needs=(Needs.TORQUE,),
         direction=words("$M_d$ an der Welle|$M_d$ on the shaft"),

@@ -7,19 +7,18 @@ from itertools import product
 
 from kurbel.drive.at import CRANK_FORCES, known
 from kurbel.engine.captions import (
-    OF_RUNS,
     cylinder_notes,
     joined,
     load_label,
     masses_notes,
     named_ratio,
 )
-from kurbel.engine.engine_quantities import AT_ANGLE, DIRECTIONS, EXTREMES, Needs
+from kurbel.engine.engine_quantities import AT_ANGLE, DIRECTIONS, EXTREMES, OF_RUNS, Needs
 from kurbel.engine.loads.words import engine_lines
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, exact_text, number_text
 from kurbel.motion.notes import turns_label
-from kurbel.page.quantity import AND, Quantity, Texts, enumerated_letters, words
+from kurbel.page.quantity import AND, Of, Quantity, Texts, enumerated_letters, words
 from kurbel.page.table import Note
 from kurbel.reading.amounts import amount
 
@@ -104,13 +103,13 @@ def _first_order(request: EngineRequest) -> Iterator[Label]:
     shown = [one.quantity for one in request.page_columns if "series" in one.methods]
     heavy = any(part.crank.moving is not None for part in request.first.parts)
     slanting = any(part.crank.ratio for part in request.first.parts) or any(request.ratios)
-    efforts = [one for one in shown if one.of in ("crank", "order") or one.key.startswith(OF_EFFORT)]
+    efforts = [one for one in shown if one.of in (Of.CRANK, Of.ORDER) or one.key.startswith(OF_EFFORT)]
     said = {
         "first_order_masses": heavy and efforts,
         "first_order_energy": heavy and len(efforts) < len(shown),
         "first_order_forces": efforts,
         "first_order_work": slanting and efforts and any(one.key == "energy" for one in shown),
-        "first_order_mean": slanting and any(one.of == "order" for one in shown),
+        "first_order_mean": slanting and any(one.of is Of.ORDER for one in shown),
     }
     if shown:
         parts = ["first_order", *(part for part, holds in said.items() if holds)]
@@ -192,14 +191,14 @@ def from_dead_centre(request: EngineRequest, method: str) -> bool:
 def _directions(request: EngineRequest, shown: Sequence[Quantity]) -> Iterator[Label]:
     """The directions of what is shown: of all forces and the torque on one line, with whose they are."""
     lang = request.lang
-    torques = [one for one in shown if Needs.TORQUE in one.needs and one.of == "angle"]
+    torques = [one for one in shown if Needs.TORQUE in one.needs and one.of is Of.ANGLE]
     yield from dict.fromkeys(
-        one.direction[lang] for one in shown if one.of == "angle" and one.direction and one not in torques
+        one.direction[lang] for one in shown if one.of is Of.ANGLE and one.direction and one not in torques
     )
     # The force on the piston, which has none, comes first.
     in_order = ["piston_force", *DIRECTIONS]
     forces = sorted(
-        (one for one in shown if one.of == "crank"),
+        (one for one in shown if one.of is Of.CRANK),
         key=lambda one: in_order.index(one.key.removesuffix("_n")),
     )
     if forces or torques:
@@ -280,14 +279,14 @@ def _clauses(request: EngineRequest, shown: list[Quantity]) -> Iterator[Label]:
     yield SIGNS["signs"][lang]
     if any(one.key == "delta" for one in shown):
         yield SIGNS["magnitude"][lang]
-    counted = any(one.key in IN_MEAN and one.of != "cylinder" for one in shown)
+    counted = any(one.key in IN_MEAN and one.of is not Of.CYLINDER for one in shown)
     if counted or (request.wheel is not None and request.wheel.number is not None):
         yield SIGNS["mean"][lang]
     # Those of a list of cylinders have their signs.
-    named = [SUPPLIED[one.key][lang] for one in shown if one.key in SUPPLIED and one.of != "cylinder"]
+    named = [SUPPLIED[one.key][lang] for one in shown if one.key in SUPPLIED and one.of is not Of.CYLINDER]
     if named:
         yield SIGNS["supplied"][lang].format(names=AND[lang].join(dict.fromkeys(named)))
     # Of the speed under a given flywheel extremes, and what is made of both.
-    even = (one.of == "evenness" and one.key != "number" for one in shown)
+    even = (one.of is Of.EVENNESS and one.key != "number" for one in shown)
     if any(one.key == "delta" or one.of in EXTREMES for one in shown) or any(even):
         yield SIGNS["exchanged"][lang]

@@ -21,7 +21,7 @@ from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import PAGE_CELLS
 from kurbel.motion.mechanism import STRAIGHT, Mechanism
 from kurbel.motion.motion_page import worthwhile
-from kurbel.page.quantity import Column, Quantity, with_symbol, words
+from kurbel.page.quantity import Column, Of, Quantity, with_symbol, words
 from kurbel.page.subject import LEAVE_OUT, Question
 from kurbel.reading.given import choose
 
@@ -241,7 +241,7 @@ class EngineRequest(Question):
 
     def entry(self, key: str) -> Quantity:
         one = self.mechanism.named(super().entry(key))
-        if (one.of, key) == ("flywheel", "mean_torque") and self.driven:
+        if (one.of, key) == (Of.FLYWHEEL, "mean_torque") and self.driven:
             one = one._replace(name=SUPPLIED)
         if not self.layout.unit:
             return one
@@ -270,7 +270,7 @@ class EngineRequest(Question):
 
     def missing(self, quantity: Quantity) -> str:
         lacking = [str(one).format(pressure=self.words.pressure) for one in quantity.needs if self.lacks(one)]
-        if quantity.of == "stroke" and not self.first.plain:
+        if quantity.of is Of.STROKE and not self.first.plain:
             lacking = ["one double-acting crank"]
         if self.assembly is not None and quantity.key in OF_ALIKE:
             lacking = ["cylinders alike"]

@@ -36,13 +36,11 @@ from kurbel.exact.numerals import Label
 from kurbel.exact.search import Jet, jet_of
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.steam import larger, smaller
-from kurbel.page.quantity import Quantity, Words, words
+from kurbel.page.quantity import Of, Quantity, Words, words
 
 THRUST, PULL = SIGNS = (1, -1)
 # Of a greatest load with fewer bits the sign is not said.
 SIGN_BITS = 64
-# What a number is of: an extreme, its place, a span of the cycle, or a share of an extreme.
-FORCE, PLACE, SPAN, SHARE = "force", "place", "span", "share"
 DEGREE_DECIMALS = 3
 SPAN_DECIMALS = 2
 # The forces of CRANK_FORCES that are the load at a place of the rod, and what pages call the places.
@@ -185,14 +183,14 @@ def _extremes() -> Iterator[Quantity]:
     for sign, key, name, symbol in _SIGNS:
         de, en = name.split("|")
         title = f"größter {de}|Greatest {en}"
-        force = row(key, title, symbol, "$Q$", FORCE, 4, lambda load, sign=sign: load.greatest(sign))
+        force = row(key, title, symbol, "$Q$", Of.FORCE, 4, lambda load, sign=sign: load.greatest(sign))
         yield force
         yield force._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{symbol} in N"),
             scale=AnyTurn.force_unit, needs=(Needs.LOAD,),
         )  # fmt: skip
         yield row(
-            f"phi_{key}", f"größter {de} bei|Greatest {en} at", "$φ$", "°", PLACE, DEGREE_DECIMALS,
+            f"phi_{key}", f"größter {de} bei|Greatest {en} at", "$φ$", "°", Of.PLACE, DEGREE_DECIMALS,
             lambda load, sign=sign: load.degrees(sign), minutes=True,
         )  # fmt: skip
 
@@ -201,18 +199,18 @@ def _spans() -> Iterator[Quantity]:
     for sign, key, name, _ in _SIGNS:
         de, en = name.split("|")
         yield row(
-            f"{key}_angle", f"{de} über|{en[:1].upper()}{en[1:]} over", "", "°", SPAN, SPAN_DECIMALS,
+            f"{key}_angle", f"{de} über|{en[:1].upper()}{en[1:]} over", "", "°", Of.SPAN, SPAN_DECIMALS,
             lambda load, sign=sign: 180 * load.angle(sign),
         )  # fmt: skip
     yield row(
-        "reversal_angle", "Richtungswechsel über|Reversal over", "", "°", SPAN, SPAN_DECIMALS,
+        "reversal_angle", "Richtungswechsel über|Reversal over", "", "°", Of.SPAN, SPAN_DECIMALS,
         lambda load: 180 * load.reversal(),
     )  # fmt: skip
     yield row(
-        "reversal_unbroken", "davon am Stück|longest unbroken", "", "°", SPAN, SPAN_DECIMALS,
+        "reversal_unbroken", "davon am Stück|longest unbroken", "", "°", Of.SPAN, SPAN_DECIMALS,
         lambda load: 180 * load.reversal(unbroken=True),
     )  # fmt: skip
     yield row(
         "reversal_share", "Gegenlast, Anteil der größten|Reversed load, share of the greatest", "", "%",
-        SHARE, SPAN_DECIMALS, lambda load: 100 * load.reversed_share(),
+        Of.SHARE, SPAN_DECIMALS, lambda load: 100 * load.reversed_share(),
     )  # fmt: skip

@@ -16,9 +16,6 @@ from kurbel.engine.notes import notes
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.rod_load import (
     ENDS,
-    FORCE,
-    PLACE,
-    SHARE,
     SLIDE,
     RodLoad,
     end_entry,
@@ -30,7 +27,7 @@ from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Texts, filled
+from kurbel.page.quantity import Column, Of, Texts, filled
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
 
@@ -109,7 +106,7 @@ def _settled(asked: _Asked) -> Number:
     if isinstance(found, Fraction):
         return nearest(found, decimals, asked.rounding)
     ties: TieBits | None = NEVER_TIES
-    if quantity.of == FORCE:
+    if quantity.of is Of.FORCE:
         at = load.extreme(sign_of(quantity))
         if at.place.exact is not None:
             stroke, angle = at.segment.stroke, at.place.exact - at.segment.stroke
@@ -124,11 +121,11 @@ def _settled(asked: _Asked) -> Number:
 def _error(asked: _Asked) -> float:
     """Return how far a value of a card may be off."""
     quantity, load = asked.column.quantity, asked.load
-    if quantity.of == FORCE:
+    if quantity.of is Of.FORCE:
         allowed = load.force_error(sign_of(quantity))
-    elif quantity.of == PLACE:
+    elif quantity.of is Of.PLACE:
         allowed = 180 * load.place_error(sign_of(quantity))
-    elif quantity.of == SHARE:
+    elif quantity.of is Of.SHARE:
         allowed = load.share_error()
     else:
         allowed = 180 * load.zero_error()
@@ -153,7 +150,7 @@ def _caption(request: EngineRequest) -> Label:
 def _notes(request: EngineRequest) -> Iterator[Label | Note]:
     lang, columns = request.lang, request.page_columns
     shown = [column.quantity for column in columns]
-    if any(one.of in (FORCE, PLACE) for one in shown):
+    if any(one.of in (Of.FORCE, Of.PLACE) for one in shown):
         yield ROD_LOAD["directions"][lang]
     heavy = request.first.crank.moving is not None
     slide = request.mechanism.named(end_entry("slide")).direction or SLIDE

@@ -38,7 +38,7 @@ from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Star
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place, RatioAxis, UnletteredAxis
-from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Of, Quantity, Texts, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note, Value
 from kurbel.reading.notation import plain
@@ -187,7 +187,7 @@ def _entry(
     **rest: Any,
 ) -> Quantity:  # fmt: skip
     formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
-    return entry(key, name, symbol, unit, decimals, formulas, of="order", **rest)
+    return entry(key, name, symbol, unit, decimals, formulas, of=Of.ORDER, **rest)
 
 
 def number_of(column: Column, at: At, rounding: str) -> Number | None:

@@ -22,9 +22,9 @@ from kurbel.exact.place import SQUARE, Centre, Place
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.linkage.arc_quantities import arc_registry
 from kurbel.linkage.linkage import LinkageDrive, in_strokes
-from kurbel.linkage.rocker import STROKE, RockerCrank, direct
+from kurbel.linkage.rocker import RockerCrank, direct
 from kurbel.motion.evaluation import OUT, STROKES
-from kurbel.page.quantity import Quantity, Words, words
+from kurbel.page.quantity import Of, Quantity, Words, words
 from kurbel.reading.notation import about, check_bounds
 
 # Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.
@@ -90,13 +90,11 @@ class ArcCrank(RockerCrank):
             stroke * self.shift,
         )
 
-    def at(
-        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
-    ) -> At:
+    def at(self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: object = None) -> At:
         if of is None or not numbers.bounded:
             # Without super(), which classes with slots lose.
             return RockerCrank.at(self, stroke, circle, numbers, method)
-        place, arc = direct(self.numbers(stroke), circle, of == STROKE, numbers)
+        place, arc = direct(self.numbers(stroke), circle, of is Of.STROKE, numbers)
         return At(circle, self, numbers, stroke, place=place, arc=arc)
 
     @property
@@ -214,7 +212,7 @@ class ArcDrive(LinkageDrive):
         return Centre(Fraction(tan(pi * (middle / 2 - turns))).limit_denominator(10), turns)
 
     def is_free(self, quantity: Quantity) -> bool:
-        return quantity.of != STROKE and super().is_free(quantity)
+        return quantity.of is not Of.STROKE and super().is_free(quantity)
 
     def ends(self, stroke: int) -> tuple[Place, Place]:
         return self.rests(self.asked("velocity", stroke), self._dead_angles(stroke))

@@ -30,7 +30,7 @@ from kurbel.motion.captions import direction_notes
 from kurbel.motion.evaluation import LOADED, OUT, RETURN
 from kurbel.motion.notes import WORDS as MOTION_WORDS
 from kurbel.motion.notes import digits_text, moving_notes
-from kurbel.page.quantity import Column, Quantity, Words, filled, words
+from kurbel.page.quantity import Column, Of, Quantity, Words, filled, words
 from kurbel.reading.given import as_number
 from kurbel.reading.notation import ratio_text
 
@@ -229,7 +229,7 @@ class MechanismWords:
         if shown:
             arcs = any(one.symbol == "$x$" for one, _ in shown)
             yield self.words["angles"][lang] + (self.words["radians"][lang] if arcs else "")
-            turning = [column for column in columns if column.quantity.of != FORCE]
+            turning = [column for column in columns if column.quantity.of is not Of.FORCE]
             if said := [one.quantity.direction[lang] for one in turning if one.quantity.direction]:
                 yield "; ".join(dict.fromkeys(said))
                 yield from direction_notes(request, turning)

@@ -14,14 +14,14 @@ from kurbel.kernel.circle import Numeric
 from kurbel.kernel.parts import AccelerationParts, parted
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.linkage import LinkageRequest, force_entries, force_formula, linkage_subject
-from kurbel.linkage.rocker import STROKE, RockerCrank
+from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.entries import OF_ROD, headed, in_units, measured, on_strokes
 from kurbel.motion.inertia import RodForce, rod_entries
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.notes import connecting_rod, size_notes, turns_label
 from kurbel.motion.rod_accelerations import rocker_entries
 from kurbel.motion.rod_forces import part_entries
-from kurbel.page.quantity import Formula, Quantity, words
+from kurbel.page.quantity import Formula, Of, Quantity, words
 
 # A further formula, as it is printed where the pivot lies on the left of the end's way.
 LEFT = "left"
@@ -104,7 +104,7 @@ def arc_registry() -> Mapping[str, Quantity]:
 
 def _arc_entries() -> Iterator[Quantity]:
     name = "Weg auf dem Bogen|Path along the arc"
-    yield from in_units("path", name, "x", "R", Formula(_path), of=STROKE, names=("path", "x"), rises=True)
+    yield from in_units("path", name, "x", "R", Formula(_path), of=Of.STROKE, names=("path", "x"), rises=True)
     name = "Geschwindigkeit|Velocity"
     yield from in_units("velocity", name, "c", "v", _VELOCITY, names=("velocity", "c"))
     name, names = "Beschleunigung|Acceleration", ("acceleration", "p")
@@ -121,7 +121,7 @@ def _arc_entries() -> Iterator[Quantity]:
         ("slide_path", "Weg längs der Schubrichtung|Path along the slide", "x_s", linkage.slide_path),
         ("rise", "Weg quer zur Schubrichtung|Path across the slide", "y_s", linkage.rise),
     ):
-        yield headed(key, name, letter, "R", _of(kernel), of=STROKE)
+        yield headed(key, name, letter, "R", _of(kernel), of=Of.STROKE)
     yield headed(
         "turn", "Drehung der Schwinge|Turn of the rocker", "ϑ", "°", Formula(lambda at: abs(_turned(at)))
     )

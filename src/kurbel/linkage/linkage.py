@@ -31,7 +31,7 @@ from kurbel.motion.motion_quantities import Force
 from kurbel.motion.notes import force_notes, moving_notes, size_notes, turns_label
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
-from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Of, Quantity, Words, enumerated, filled, for_ratio, words
 from kurbel.page.subject import Subject, subject
 
 Point = tuple[float, float]
@@ -96,9 +96,7 @@ class Linkage(DeadCentres, ABC):
     def place(self, stroke: int, circle: Circle[Numeric], kind: Kind) -> linkage.Place[Numeric]:
         """Return where the driven end is: its way, its velocity, the slants of rod and crank against it."""
 
-    def at(
-        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
-    ) -> At:
+    def at(self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: object = None) -> At:
         """Return what kernel calls take. What quantities are `of`, where that is known, may choose formulas
         with few roots for them."""
         return At(circle, self, numbers, stroke, place=self.place(stroke, circle, numbers))
@@ -157,9 +155,9 @@ def force_entries(printed: Mapping[str, Formula], masses: bool = False) -> Itera
     newton = motion_quantities.in_newtons if masses else _alone
     for key in {**printed, **(FORCES if masses else {})}:
         shares = {"exact": printed[key]} if key in printed else {}
-        yield from motion_quantities.force_entries(key, FORCES[key], shares, newton(key, shares), of=FORCE)
+        yield from motion_quantities.force_entries(key, FORCES[key], shares, newton(key, shares), of=Of.FORCE)
     torque = {"exact": force_formula("tangential_force", "$M_d/(F R) = T/F$")}
-    yield from motion_quantities.torque_entries(torque, newton("tangential_force", torque), of=FORCE)
+    yield from motion_quantities.torque_entries(torque, newton("tangential_force", torque), of=Of.FORCE)
 
 
 def _alone(key: str, shares: Formulas) -> Formulas:
@@ -207,7 +205,7 @@ def linkage_subject(
 
     def listed() -> Iterator[tuple[str, Quantity]]:
         for one in quantities().values():
-            yield command.replace("table", "forces") if one.of == FORCE else command, one
+            yield command.replace("table", "forces") if one.of is Of.FORCE else command, one
 
     over_angle = {"angle": AngleAxis, "column": ColumnAxis}
     return Subject(
@@ -259,7 +257,7 @@ def plain_notes(force: Words, motion: Words, *further: Words) -> Callable[[Linka
         shown += (column.quantity for column in question.page_columns)
         if line := formula_line([one.formulas["exact"] for one in shown]):
             yield line
-        if any(one.of != FORCE for one in shown):
+        if any(one.of is not Of.FORCE for one in shown):
             yield motion[question.lang]
         yield from (one[question.lang] for one in further)
         yield from force_lines(question, force)
@@ -294,11 +292,11 @@ def force_lines(
     """
     lang, shown = question.lang, [column.quantity for column in question.page_columns]
     first: Crank = question.drives[0].crank
-    if any(one.of == FORCE for one in shown):
+    if any(one.of is Of.FORCE for one in shown):
         acting = [force[lang]] if first.force or not first.moving else []
-        said = (one.direction[lang] for one in shown if one.of == FORCE and one.direction)
+        said = (one.direction[lang] for one in shown if one.of is Of.FORCE and one.direction)
         yield "; ".join(dict.fromkeys([*acting, *said]))
-        columns = [column for column in question.page_columns if column.quantity.of == FORCE]
+        columns = [column for column in question.page_columns if column.quantity.of is Of.FORCE]
         yield from direction_notes(question, columns)
     sizes = size_notes(question.cranks)
     if first.speed is not None and any(Needs.SPEED in one.needs for one in shown):

@@ -17,7 +17,6 @@ from typing import NoReturn
 
 from kurbel.drive.at import At, known
 from kurbel.drive.crank import RODLESS, Crank, DescribedDrive
-from kurbel.drive.load import FORCE
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals
@@ -43,7 +42,7 @@ from kurbel.motion.entries import spanned
 from kurbel.motion.evaluation import value
 from kurbel.motion.motion_quantities import Force
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis
-from kurbel.page.quantity import AND, Column, Formula, Quantity, Texts, filled, words
+from kurbel.page.quantity import AND, Column, Formula, Of, Quantity, Texts, filled, words
 from kurbel.page.subject import OVER_AXES
 from kurbel.page.table import Field
 from kurbel.reading.given import as_number, as_places
@@ -268,7 +267,7 @@ def coupled_registry() -> Mapping[str, Quantity]:
     force = Force("Kuppelstangenkraft|Coupling-rod force", "S", "$S$ wie $F$|$S$ as $F$")
     whole = {"exact": Formula(_whole)}
     rods = {
-        one.key: one for one in motion_quantities.force_entries(COUPLING[0], force, whole, whole, of=FORCE)
+        one.key: one for one in motion_quantities.force_entries(COUPLING[0], force, whole, whole, of=Of.FORCE)
     }
     return {**own, **rods}
 

@@ -30,10 +30,7 @@ from kurbel.kernel.moving import Masses
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.linkage import Linkage
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.page.quantity import Words
-
-# What quantities are of that count from the dead centre where the stroke begins.
-STROKE = "stroke"
+from kurbel.page.quantity import Of, Words
 
 
 class RockerCrank(Linkage):
@@ -93,9 +90,7 @@ class RockerCrank(Linkage):
         arc = self.dead_centre(stroke, kind)
         return linkage.place(linkage.from_dead_centre(circle, arc), arc)
 
-    def at(
-        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
-    ) -> At:
+    def at(self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: object = None) -> At:
         """Return the same, with the dead centre.
 
         path, chord, turn, slide_path, rise, velocity and acceleration count from the dead centre where the
@@ -192,7 +187,7 @@ def rod(
     drive: RockerCrank, method: str, circle: Circle[Numeric], kind: Kind, beside: bool
 ) -> tuple[Rod[Numeric], Reach[Numeric] | None]:
     """Return the ends of the rod at a crank angle, and its reach if points beside its axis are asked for."""
-    at = drive.at(OUT, circle, kind, "exact", STROKE)
+    at = drive.at(OUT, circle, kind, "exact", Of.STROKE)
     place, arc = at.place, at.arc
     height = drive.figures(OUT, kind)[2]
     ends = rocker_rod(circle, place, arc, height, linkage.slide_path(place, arc))

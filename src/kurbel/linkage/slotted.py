@@ -12,7 +12,6 @@ from flint import arb
 
 from kurbel.drive.at import At, known
 from kurbel.drive.crank import LONGEST_ROD, RODLESS, Crank, DescribedDrive, radii
-from kurbel.drive.load import FORCE
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball
 from kurbel.exact.course import Course
@@ -39,7 +38,7 @@ from kurbel.motion.entries import OF_ROD, headed, in_units, measured
 from kurbel.motion.evaluation import OUT
 from kurbel.motion.motion_quantities import FORCES, Force, force_entries, torque_entries
 from kurbel.motion.notes import digits_text
-from kurbel.page.quantity import Formula, Quantity, words
+from kurbel.page.quantity import Formula, Of, Quantity, words
 from kurbel.reading.given import as_number
 from kurbel.reading.notation import about, check_bounds
 
@@ -127,9 +126,7 @@ class SlottedLever(Linkage):
     def place(self, stroke: int, circle: Circle[Numeric], kind: Kind) -> Any:
         return kernel.lever(circle, self.links(stroke, kind))
 
-    def at(
-        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
-    ) -> At:
+    def at(self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: object = None) -> At:
         """Return the place of the lever, with its lengths for the kernel."""
         links = self.links(stroke, numbers)
         return At(circle, self, numbers, stroke, place=kernel.lever(circle, links), arc=links)
@@ -318,9 +315,9 @@ _FORCES: Mapping[str, tuple[Force, Formula]] = {
 
 def _forces() -> Iterator[Quantity]:
     for key, (force, formula) in _FORCES.items():
-        yield from force_entries(key, force, {"exact": formula}, {"exact": formula}, of=FORCE)
+        yield from force_entries(key, force, {"exact": formula}, {"exact": formula}, of=Of.FORCE)
     torque = {"exact": _of(kernel.velocity, "$M_d/(F R) = T/F$")}
-    yield from torque_entries(torque, torque, of=FORCE)
+    yield from torque_entries(torque, torque, of=Of.FORCE)
 
 
 class SlottedDrive(LinkageDrive):

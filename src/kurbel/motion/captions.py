@@ -81,7 +81,7 @@ def _is_chosen(question: Request) -> bool:
     shown = {column.key for column in question.page_columns}
     own = {column.key for column in question.layout.columns}
     # All forces of the rod are what the caption of a page about them speaks of.
-    own |= {key for key, quantity in question.subject.quantities().items() if quantity.of}
+    own |= {key for key, quantity in question.subject.quantities().items() if quantity.model}
     # A fixed page's caption names its formulas, all of them.
     return bool(question.columns) and (not shown <= own or (question.layout.fixed and shown < own))
 
@@ -185,7 +185,7 @@ def signed(line: Label, page: FormulaContext, sign: str, rod_angle: bool) -> Lab
 def acceleration_lines(page: Request, columns: Sequence[Column]) -> Iterator[Label]:
     """Yield what pages say of how masses and cranks are accelerated, if not exactly and evenly."""
     lang, crank = page.lang, page.cranks[0]
-    heavy = [one for one in columns if LOADED in one.quantity.formulas or one.quantity.of in ROD_MODELS]
+    heavy = [one for one in columns if LOADED in one.quantity.formulas or one.quantity.model in ROD_MODELS]
     if any(one.method in ("series", DIFFERENCE) for one in heavy) and (crank.moving or crank.rod):
         yield signed(WORDS["first_order"][lang], page, strokes_of(columns)[1], False)
     if not crank.acceleration:

@@ -190,5 +190,5 @@ def _entry(
         heading=ROD_MODELS[model],
         part=ROD_MODELS[model],
         needs=(Needs.ROD,),
-        of=model,
+        model=model,
     )

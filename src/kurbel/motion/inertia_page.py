@@ -25,6 +25,7 @@ from kurbel.page.layouts import layout
 from kurbel.page.quantity import (
     Column,
     Formula,
+    Of,
     Quantity,
     Texts,
     bare,
@@ -69,19 +70,20 @@ def error_columns() -> Mapping[str, Quantity]:
     greatest, error = "größter Betrag|greatest", "größter Fehler|greatest error"
     percent, at = "größter Fehler in %|greatest error in %", "bei $φ$|at $φ$"
     names = "größter Betrag in N, N m|greatest in N, N m", "größter Betrag bei φ|greatest at φ"
+    error_at = "größter Fehler bei φ|greatest error at φ"
     rows = (
-        ("greatest", greatest, greatest, "", 4, GREATEST, _itself),
-        ("greatest_n", names[0], "in N, N m", "N, N m", 1, GREATEST, _in_newtons),
-        ("greatest_phi", names[1], at, "°", DEGREE_DECIMALS, GREATEST, _itself),
-        ("error", error, error, "", 4, ERROR, _itself),
-        ("error_percent", percent, percent, PERCENT, PERCENT_DECIMALS, ERROR, _in_percent),
-        ("error_phi", "größter Fehler bei φ|greatest error at φ", at, "°", DEGREE_DECIMALS, ERROR, _itself),
+        ("greatest", greatest, greatest, "", 4, Of.GREATEST, _itself),
+        ("greatest_n", names[0], "in N, N m", "N, N m", 1, Of.GREATEST, _in_newtons),
+        ("greatest_phi", names[1], at, "°", DEGREE_DECIMALS, Of.GREATEST, _itself),
+        ("error", error, error, "", 4, Of.ERROR, _itself),
+        ("error_percent", percent, percent, PERCENT, PERCENT_DECIMALS, Of.ERROR, _in_percent),
+        ("error_phi", error_at, at, "°", DEGREE_DECIMALS, Of.ERROR, _itself),
     )
     return {row[0]: _entry(*row) for row in rows}
 
 
 def _entry(
-    key: str, name: str, heading: str, unit: str, decimals: int, of: str, kernel: Callable[..., Numeric]
+    key: str, name: str, heading: str, unit: str, decimals: int, of: Of, kernel: Callable[..., Numeric]
 ) -> Quantity:
     needs, formulas = (Needs.INERTIA,) if kernel is _in_newtons else (), {EXACT: Formula(kernel)}
     return entry(key, name, "", unit, decimals, formulas, heading, minutes=unit == "°", needs=needs, of=of)
@@ -167,8 +169,8 @@ class ErrorsRequest(CrankQuestion):
 def _error_notes(request: Request) -> Iterator[Label]:
     """Yield the greatest errors of what a page of forces shows beside the exact ones, a line a crank."""
     shown = [column.quantity for column in request.page_columns]
-    models = [model for model in MODELS if model != EXACT and any(one.of == model for one in shown)]
-    names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.of in models}
+    models = [model for model in MODELS if model != EXACT and any(one.model == model for one in shown)]
+    names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.model in models}
     if not (models and names) or request.method or any(crank.acceleration for crank in request.cranks):
         return
     sheet = ErrorsRequest(
@@ -241,9 +243,9 @@ def _notes(question: ErrorsRequest) -> Iterator[Label]:
 def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -> Number | None:
     quantity, decimals, rounding = column.quantity, column.places, question.rounding
     where, model = (place["ratio"], place["force"]), MODELS[place["model"]]
-    if quantity.of == ERROR and model == EXACT:
+    if quantity.of is Of.ERROR and model == EXACT:
         return None
-    peak, whole = question.peak(*where, model, quantity.of == ERROR), question.peak(*where, EXACT, False)
+    peak, whole = question.peak(*where, model, quantity.of is Of.ERROR), question.peak(*where, EXACT, False)
     if quantity.minutes:
         return _angle(peak, times, decimals, rounding)
     if quantity.unit["en"] == PERCENT:

@@ -26,9 +26,8 @@ from kurbel.motion.bulk import integer_angles
 from kurbel.motion.evaluation import MOST_DECIMALS, kernel_of
 from kurbel.motion.motion_page import CHUNK, Chunk, RecordRows
 from kurbel.motion.motion_quantities import registry
-from kurbel.motion.point_quantities import DIRECTION
 from kurbel.page.axes import Axis, Place
-from kurbel.page.quantity import Column, Quantity
+from kurbel.page.quantity import Column, Of, Quantity
 from kurbel.page.table import Value
 from kurbel.reading.notation import Progression
 
@@ -230,7 +229,7 @@ class AngleColumns(LongColumns):
         yield from self.question.drives
 
     def value(self, one: Column, place: Place, places: Places) -> Any:
-        if one.quantity.of == DIRECTION:
+        if one.quantity.of is Of.DIRECTION:
             return NotImplemented
         return self.question.value(one, place, places.angle.circle, ENCLOSURES)
 

@@ -25,10 +25,7 @@ from kurbel.kernel.rod import Vector
 from kurbel.motion.entries import headed, in_units
 from kurbel.motion.evaluation import OFFSET
 from kurbel.motion.points import RodPoint
-from kurbel.page.quantity import Formula, Quantity, words
-
-# What quantities are of that tell a direction, or the amount of a vector.
-DIRECTION, AMOUNT = "direction", "amount"
+from kurbel.page.quantity import Formula, Of, Quantity, words
 
 
 class At(NamedTuple):
@@ -154,9 +151,9 @@ def _amounts(one: _Kind) -> list[Quantity]:
     printed = f"{letter} = sqrt({along}^2 + {across}^2)"
     towards = f"tan {turn} = -{across}/{along}"
     amounts = _formulas(whole, 2 * (printed, ""))
-    found = in_units(one.key, one.name, letter, one.unit, amounts, part=_AMOUNT, of=AMOUNT)
+    found = in_units(one.key, one.name, letter, one.unit, amounts, part=_AMOUNT, of=Of.AMOUNT)
     angles, key = _formulas(direction, 2 * (towards, "")), f"{one.key}_direction"
-    angle = headed(key, one.name, turn, "°", angles, part=_DIRECTION, of=DIRECTION)
+    angle = headed(key, one.name, turn, "°", angles, part=_DIRECTION, of=Of.DIRECTION)
     return [*found, angle]
 
 
@@ -280,7 +277,7 @@ class MovedPoint:
     def certified(self, quantity: Quantity, angle: Fraction, decimals: int, rounding: str) -> int | None:
         """Return it at an exact angle in degrees times 10**decimals, rounded correctly; None of the direction
         of what is zero there."""
-        if quantity.of == DIRECTION:
+        if quantity.of is Of.DIRECTION:
             return self._direction(quantity, angle, decimals, rounding)
 
         def at(kind: Kind) -> Numeric:

@@ -21,7 +21,6 @@ from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs, long_r
 from kurbel.motion.motion_quantities import registry
 from kurbel.motion.point_quantities import (
     BESIDE,
-    DIRECTION,
     MovedPoint,
     RodEnds,
     Vectorial,
@@ -35,7 +34,7 @@ from kurbel.motion.point_quantities import (
 from kurbel.motion.points import RodPoint, decimals_of, with_points
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
-from kurbel.page.quantity import Column, Quantity, Texts, bare, enumerated, filled, for_ratio, words
+from kurbel.page.quantity import Column, Of, Quantity, Texts, bare, enumerated, filled, for_ratio, words
 from kurbel.page.steps import Scene
 from kurbel.page.subject import Subject
 from kurbel.page.subject import subject as registered
@@ -98,7 +97,7 @@ def _formulas(question: PointsRequest, shown: Sequence[Quantity]) -> Iterator[La
         return
     if shown:
         yield WORDS["vectors"][lang] + (WORDS["turned"][lang] if beside else "")
-    own = dict.fromkeys(one.formulas["exact"].printed for one in shown if one.of)
+    own = dict.fromkeys(one.formulas["exact"].printed for one in shown if one.of is not Of.ANY)
     if own:
         yield ", ".join(own)
 
@@ -125,7 +124,7 @@ def _directions(question: PointsRequest, shown: Sequence[Quantity]) -> Iterator[
     lang = question.lang
     ways = ("along", "across") if question.has_ratio else ("shafts",)
     yield "; ".join(WORDS[key][lang] for key in (*ways, "signs"))
-    if any(one.of == DIRECTION for one in shown):
+    if any(one.of is Of.DIRECTION for one in shown):
         yield WORDS["directions"][lang]
 
 
@@ -289,7 +288,7 @@ class PointAxis(ListAxis):
 def _curve(quantity: Quantity, moved: MovedPoint, at: Circle[Numeric], kind: Kind) -> Numeric:
     """Return a column over the crank angle, as floats; a direction has gaps where the point rests."""
     values = moved.value(quantity, at, kind)
-    if quantity.of != DIRECTION:
+    if quantity.of is not Of.DIRECTION:
         return values
     amount = points_registry()[quantity.key.removesuffix("_direction")]
     return continued(values, moved.value(amount, at, kind))

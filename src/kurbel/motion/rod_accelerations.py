@@ -160,7 +160,7 @@ def _component(
 
 def entry_of_rod(
     key: str, letter: str, name: Words, part: Words, formulas: Mapping[str, Formula], unit: str = UNIT,
-    of: str = "exact",
+    model: str = "exact",
 ) -> Quantity:  # fmt: skip
     """Return what is known of a rod in a unit by one of its models: all of them stand under the letter."""
     return Quantity(
@@ -174,5 +174,5 @@ def entry_of_rod(
         heading=part,
         part=part,
         needs=(Needs.ROD,),
-        of=of,
+        model=model,
     )

@@ -166,7 +166,7 @@ def _without_warning(force: Callable[[], Numeric], at: At) -> Numeric:
 def has_poles(quantity: Quantity, crank: Crank) -> bool:
     """Whether a quantity grows beyond all bounds, so that no float of it has a bound of its own."""
     return bool(
-        Needs.EVEN in quantity.needs and quantity.of == EXACT and crank.offset and known(crank.rod).couple
+        Needs.EVEN in quantity.needs and quantity.model == EXACT and crank.offset and known(crank.rod).couple
     )
 
 

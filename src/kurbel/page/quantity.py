@@ -3,6 +3,7 @@
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from enum import Enum
 from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple, TypeAlias
@@ -91,6 +92,14 @@ class Need:
         return self.words or " and ".join(self.options)
 
 
+Of = Enum(
+    "Of",
+    "ANY TURN STROKE LEAST GREATEST ANGLE CRANK CYLINDER ORDER SPEED EVENNESS FLYWHEEL FORCE PLACE SPAN SHARE"
+    " ERROR AMOUNT DIRECTION",
+)
+"""What a number is of: ANY where its subject knows it."""
+
+
 class Quantity(NamedTuple):
     """An entry: what a column shows, all that is said of it, and how it is computed.
 
@@ -100,9 +109,10 @@ class Quantity(NamedTuple):
 
     `formulas` are by method. `scale` makes the quantity's unit of the kernel's. `bound` is how far a float
     can lie from the true value, in units of the subject's own bound. `needs` are what must be known of the
-    drive or the load, `of` is what it is a number of: a turn, a stroke, an angle. `names` are those under
-    which conditions know it; `rises` tells that between the dead centres it only rises or only falls.
-    `direction` says in which direction it counts. Where `exists` is not above 0 there is no such number.
+    drive or the load, `of` is what it is a number of: a turn, a stroke, an angle. `model` is that of the rod
+    by which it is computed. `names` are those under which conditions know it; `rises` tells that between the
+    dead centres it only rises or only falls. `direction` says in which direction it counts. Where `exists` is
+    not above 0 there is no such number.
     """
 
     key: str
@@ -119,7 +129,8 @@ class Quantity(NamedTuple):
     scale: Callable[..., Numeric] | None = None
     bound: float = 1.0
     needs: tuple[Need, ...] = ()
-    of: str = ""
+    of: Of = Of.ANY
+    model: str = ""
     names: tuple[str, ...] = ()
     rises: bool = False
     direction: Words | None = None

@@ -14,7 +14,7 @@ from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
 from kurbel.page.axes import Axis, Grid, PageAxis, Place
 from kurbel.page.labels import plain
 from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
-from kurbel.page.quantity import Column, Known, Need, Quantity, is_short, known_at
+from kurbel.page.quantity import Column, Known, Need, Of, Quantity, is_short, known_at
 from kurbel.page.table import Field, Note, Records, Tone, Value, Worded, check_label
 from kurbel.reading.given import FrozenValue, allowed_name, choose, found_at
 from kurbel.reading.names import others, otherwise
@@ -67,7 +67,7 @@ class Subject(NamedTuple, Generic[Q]):
     notes: Callable[[Q], Iterable[Label | Note]]
     page_notes: Callable[[Q], Iterable[Label]] = lambda question: ()
     own_first: bool = True
-    of: tuple[str, ...] = ()
+    of: tuple[Of, ...] = ()
     exists: Callable[[Q, Place], bool] = _everywhere
     marks: Callable[[Q, Column, Place], tuple[str, ...]] = lambda question, column, place: ()
     tone: Callable[[Q, Column, Place], Tone] = lambda question, column, place: ""

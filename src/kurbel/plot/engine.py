@@ -17,14 +17,14 @@ from kurbel.engine.captions import common, inner, named_load
 from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.diagram.fluctuation import place_text, shown
 from kurbel.engine.digits import CellValue, estimated, settled
-from kurbel.engine.engine_quantities import ENGINE_METHODS, engine_registry, value
+from kurbel.engine.engine_quantities import ENGINE_METHODS, EXTREMES, engine_registry, value
 from kurbel.engine.pressures import stroke_names
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number, degrees_text, number_text
 from kurbel.kernel.circle import Numeric
-from kurbel.page.quantity import Column, Formula, Quantity, bare, entry
+from kurbel.page.quantity import Column, Formula, Of, Quantity, bare, entry
 from kurbel.plot.drawings import (
     DrawingWish,
     Picture,
@@ -62,9 +62,6 @@ if TYPE_CHECKING:
     from kurbel.engine.cylinder import AnyTurn
     from kurbel.engine.diagram.diagram_page import TorquesRequest
 
-# Which end of the swing is the greatest, as engines name what is of it.
-ENDS = {"least": False, "greatest": True}
-
 
 class Swinging(NamedTuple):
     """The swing with its ends as they are drawn; none of part of a cycle that lacks one of them."""
@@ -76,18 +73,18 @@ class Swinging(NamedTuple):
 def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swinging:
     """Return the swing of an engine's excess energy, a column of the request, as a share of its unit."""
 
-    def number(of: str, value: Callable[[AnyTurn], Numeric], decimals: int | None, unit: int = 1) -> str:
+    def number(of: Of, value: Callable[[AnyTurn], Numeric], decimals: int | None, unit: int = 1) -> str:
         formulas = dict.fromkeys(ENGINE_METHODS, Formula(lambda turn, where: value(turn)))
-        asked = entry("energy_swing", "", "", "", decimals, formulas, of=of, minutes=of in ENDS)
+        asked = entry("energy_swing", "", "", "", decimals, formulas, of=of, minutes=of in EXTREMES)
         column = bare(asked, turn.method, decimals)
         settle = estimated if request.carded else settled
         found = settle(CellValue(column, (turn,), TurnPlace(), unit), request.rounding)
         # A card may leave no figure, and a swing is never 0.
-        return _text(found, unit) if found is not None and (found.scaled or of in ENDS) else ""
+        return _text(found, unit) if found is not None and (found.scaled or of in EXTREMES) else ""
 
     spots: list[MarkedPoint] = []
     cycle, span = 180 * turn.cycle, _span(request)
-    for of, greatest in ENDS.items():
+    for of, greatest in EXTREMES.items():
         peaks = turn.peaks(greatest)
         level = float(turn.extreme(greatest).energy)
         for peak in peaks:
@@ -99,7 +96,7 @@ def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swing
 
     # Of W/(Q r) that is (ΔW)/(Q r).
     letter, _, unit = energy.heading[0][1:-1].partition("/")
-    said, found = f"(Δ{letter})/{unit}", number("turn", swing, energy.decimals)
+    said, found = f"(Δ{letter})/{unit}", number(Of.TURN, swing, energy.decimals)
     return _swinging(spots, f"${said} = {found}$" if found else f"${said}$")
 
 
@@ -112,7 +109,7 @@ def diagram_swing(request: TorquesRequest, panel: Panel) -> Panel:
     def swing(kind: Kind) -> Numeric:
         return excess.swing(kind) * kind.of(times * Fraction(10) ** -power)
 
-    for greatest in ENDS.values():
+    for greatest in EXTREMES.values():
         level = float(times) * float(excess.extreme_energy(floats(), greatest=greatest))
         for one in excess.extremes(greatest=greatest):
             assert one.degrees is not None
@@ -139,7 +136,7 @@ def _text(number: Number, unit: int) -> Label:
 
 def _swinging(spots: list[MarkedPoint], text: Label) -> Swinging:
     levels = {one.value for one in spots}
-    if len(levels) < len(ENDS):
+    if len(levels) < len(EXTREMES):
         return Swinging(spots, None)
     return Swinging(spots, Swing(min(levels), max(levels), text))
 

@@ -21,7 +21,7 @@ from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.motion_page import AngleQuestion, Request
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.build import own_records
-from kurbel.page.quantity import Column
+from kurbel.page.quantity import Column, Of
 from kurbel.page.subject import Question
 from kurbel.page.table import Records
 from kurbel.reading.notation import Progression
@@ -40,7 +40,7 @@ QUESTIONS, ROWS = 2048, 1 << 20
 # Rows of certified digits.
 CERTIFIED_ROWS = 4096
 # What is one number of a turn is the same at each angle; the others are of the angle.
-OF_TURN, OF_ANGLE = ("turn",), ("angle", "crank")
+OF_TURN, OF_ANGLE = (Of.TURN,), (Of.ANGLE, Of.CRANK)
 
 
 @dataclass(frozen=True)

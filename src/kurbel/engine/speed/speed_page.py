@@ -22,28 +22,28 @@ from kurbel.engine.speed.solved import run_of
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import Place
-from kurbel.page.quantity import Column, Quantity, Texts, words
+from kurbel.page.quantity import Column, Of, Quantity, Texts, words
 from kurbel.page.table import Note, Value
 from kurbel.reading.amounts import amount
 
 OF_SPEED = Texts("engine", "of_speed")
 
 # What these are of: a crank angle under a flywheel, or the whole turn under one.
-AT_SPEED, OF_EVENNESS = "speed", "evenness"
+AT_SPEED, OF_EVENNESS = Of.SPEED, Of.EVENNESS
 Listed: TypeAlias = Iterable[tuple[str, Quantity]]
 
 
 @cache
 def speed_registry() -> Mapping[str, Quantity]:
     """Return what stands beside the turning effort, with that itself."""
-    effort = (one for one in engine_registry().values() if one.of in ("angle", "turn"))
+    effort = (one for one in engine_registry().values() if one.of in (Of.ANGLE, Of.TURN))
     return {one.key: one for one in (*effort, *_speed_entries())}
 
 
 @cache
 def evenness_registry() -> Mapping[str, Quantity]:
     """Return what stands beside the degree of irregularity of an engine, with that itself."""
-    turn = (one for one in engine_registry().values() if one.of in ("turn", *EXTREMES))
+    turn = (one for one in engine_registry().values() if one.of in (Of.TURN, *EXTREMES))
     return {one.key: one for one in (*turn, *_evenness_entries())}
 
 
@@ -68,8 +68,8 @@ def _evenness_entries() -> Iterator[Quantity]:
     yield row("number", "Schwungradzahl|Number of the flywheel", "$(m_1 v_1^2)/(P r)$", "", OF_EVENNESS,
               None, lambda run, where: run.number, needs=(Needs.INERTIA,))  # fmt: skip
     for index, of, name in (
-        ("min", "least", "kleinste Geschwindigkeit|Least speed"),
-        ("max", "greatest", "größte Geschwindigkeit|Greatest speed"),
+        ("min", Of.LEAST, "kleinste Geschwindigkeit|Least speed"),
+        ("max", Of.GREATEST, "größte Geschwindigkeit|Greatest speed"),
     ):
         greatest = EXTREMES[of]
         de, en = name.split("|")
