@@ -150,8 +150,7 @@ def _value(tree: ast.expr, kind: Numbers[Value], cell: Callable[[str], Value]) -
         case ast.UnaryOp(operand=inner):
             return -_value(inner, kind, cell)
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=Fraction() as height)):
-            raised: Value = power(_value(left, kind, cell), int(height))
-            return raised
+            return power(_value(left, kind, cell), int(height))
         case ast.BinOp(left=left, op=op, right=right):
             found: Value = OPERATIONS[type(op)](_value(left, kind, cell), _value(right, kind, cell))
             return found

@@ -12,15 +12,7 @@ from typing import NamedTuple
 from flint import arb, arb_series
 
 from kurbel.books.form import Algebra, Form, Letters, Value
-from kurbel.books.proof import (
-    MOST_AT_POINTS,
-    MOST_OF_PROOFS,
-    PARTS,
-    Quotient,
-    Symbols,
-    UnprovableError,
-    Work,
-)
+from kurbel.books.proof import MOST_AT_POINTS, MOST_OF_PROOFS, PARTS, Quotient, Symbols, UnprovableError, Work
 from kurbel.exact.certify import Kept, at_bits, ball
 from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.exact.separation import TooLargeError

@@ -10,15 +10,7 @@ import click
 from kurbel.books.example import example as worked
 from kurbel.books.example import numbers_of, source, source_keys
 from kurbel.books.source import books
-from kurbel.cli.listing import (
-    Entry,
-    Heading,
-    Listing,
-    form_of_list,
-    list_format,
-    plain_lines,
-    show_list,
-)
+from kurbel.cli.listing import Entry, Heading, Listing, form_of_list, list_format, plain_lines, show_list
 from kurbel.cli.options import Option, TypedOptions, click_option, lang_option
 from kurbel.cli.tables import CollateCommand, PrintOptions, TableCommand
 from kurbel.commands import books as pages

@@ -9,14 +9,7 @@ import click
 
 from kurbel.books.constructions.construction_page import construction, construction_names
 from kurbel.books.constructions.model import Construction
-from kurbel.cli.drawings import (
-    check_drawing,
-    check_moving,
-    check_page,
-    check_terminal,
-    drawing_format,
-    write,
-)
+from kurbel.cli.drawings import check_drawing, check_moving, check_page, check_terminal, drawing_format, write
 from kurbel.cli.listing import Listing, form_of_list, plain_lines, show_list
 from kurbel.cli.manual.command import with_examples
 from kurbel.cli.options import (

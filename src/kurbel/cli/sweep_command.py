@@ -15,13 +15,7 @@ from kurbel.cli import say
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.manual.topics import SWEEPS
 from kurbel.cli.options import FileName, TypedOptions, help_of
-from kurbel.cli.sweep import (
-    TABLES,
-    SweepOptions,
-    own_options,
-    running,
-    sweep_options,
-)
+from kurbel.cli.sweep import TABLES, SweepOptions, own_options, running, sweep_options
 from kurbel.commands.options import FILE as A_FILE
 from kurbel.commands.options import FLAG, Count, Option
 from kurbel.commands.part import Origin, Values, flag_of

@@ -19,13 +19,7 @@ from kurbel.cli import say, screen
 from kurbel.cli.app import show
 from kurbel.cli.drawings import UNDRAWN, check_undrawn, drawing_format, drawing_options, drawn, write
 from kurbel.cli.manual.command import TopicCommand
-from kurbel.cli.options import (
-    TypedOptions,
-    click_option,
-    help_of,
-    machine_option,
-    printing_options,
-)
+from kurbel.cli.options import TypedOptions, click_option, help_of, machine_option, printing_options
 from kurbel.commands.subject import Command
 from kurbel.errors import FailedError, ProblemError
 from kurbel.exact.numerals import ROUNDINGS

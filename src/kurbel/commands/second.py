@@ -24,11 +24,7 @@ from kurbel.engine.card.card import PistonCard
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.page.axes import shifted
 from kurbel.reading.amounts import UNITS
-from kurbel.reading.given import (
-    as_number,
-    as_shares,
-    found_at,
-)
+from kurbel.reading.given import as_number, as_shares, found_at
 from kurbel.verify import UNDECIDED, WRONG, Number, Value, enclose
 from kurbel.verify.loads import disc
 from kurbel.verify.turn import Running

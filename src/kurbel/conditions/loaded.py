@@ -27,16 +27,7 @@ from kurbel.engine.engine_page import LoadAxis
 from kurbel.engine.engine_quantities import engine_registry
 from kurbel.engine.notes import from_dead_centre, notes
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.segments import (
-    At,
-    Segment,
-    cranks_of,
-    extreme_value,
-    extremes,
-    is_level,
-    segments,
-    zeros,
-)
+from kurbel.engine.segments import At, Segment, cranks_of, extreme_value, extremes, is_level, segments, zeros
 from kurbel.engine.turn import Turn, turn_ties
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, at_bits, ball, rounded

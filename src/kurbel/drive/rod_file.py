@@ -26,14 +26,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from kurbel.drive.rod import (
-    Rod,
-    Section,
-    Swing,
-    check_centre,
-    check_section,
-    rod_of_sections,
-)
+from kurbel.drive.rod import Rod, Section, Swing, check_centre, check_section, rod_of_sections
 from kurbel.errors import NotationError, ProblemError, RodError
 from kurbel.reading.csv_file import (
     Column,

@@ -20,16 +20,7 @@ from flint import arb
 from kurbel.drive.at import CrankForce
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.engine_quantities import Needs, engine_registry, row
-from kurbel.engine.segments import (
-    At,
-    Part,
-    Segment,
-    cranks_of,
-    extreme_value,
-    extremes,
-    parts,
-    segments,
-)
+from kurbel.engine.segments import At, Part, Segment, cranks_of, extreme_value, extremes, parts, segments
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import at_bits
 from kurbel.exact.numerals import Label

@@ -11,16 +11,7 @@ from typing import NamedTuple
 
 from kurbel.errors import ChoiceError, HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS, BytesFormat
-from kurbel.handbook.folder import (
-    UNKNOWN,
-    BuiltPart,
-    Folder,
-    digest,
-    fingerprint,
-    glance,
-    is_own,
-    key_of,
-)
+from kurbel.handbook.folder import UNKNOWN, BuiltPart, Folder, digest, fingerprint, glance, is_own, key_of
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED
 from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf

@@ -251,8 +251,7 @@ def arcsine(sine: Same, tail: Numeric = 0.0) -> Same:
     whole, sign = turns[0]
     difference = (((sine - whole) - sign * across.high) - sign * across.low) + tail
     cosines = cosine + _settled(turns[1], along)[0]
-    found: Any = near + difference / cosines * TWO_RADIANS + 0.0
-    return found
+    return near + difference / cosines * TWO_RADIANS + 0.0
 
 
 def rod_angle(circle: Circle[Numeric], ratio: Numeric, offset: Numeric = 0.0) -> Numeric:

@@ -17,13 +17,7 @@ from kurbel.exact.numerals import Label, exact_text
 from kurbel.kernel.circle import Numeric
 from kurbel.linkage.arc import ArcCrank, ArcDrive, arc_columns
 from kurbel.linkage.arc_quantities import LEFT, arc_registry
-from kurbel.linkage.linkage import (
-    LinkageMechanism,
-    LinkageRequest,
-    captioned,
-    force_lines,
-    linkage_subject,
-)
+from kurbel.linkage.linkage import LinkageMechanism, LinkageRequest, captioned, force_lines, linkage_subject
 from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.captions import WORDS as FORMULA_WORDS
 from kurbel.motion.captions import direction_notes

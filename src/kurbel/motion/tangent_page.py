@@ -12,11 +12,7 @@ from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.forces import square_position
-from kurbel.motion.evaluation import (
-    OUT,
-    TANGENT,
-    value,
-)
+from kurbel.motion.evaluation import OUT, TANGENT, value
 from kurbel.motion.motion_page import CrankQuestion
 from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import drive_notes, force_notes

@@ -27,13 +27,7 @@ from kurbel.page.table import Records
 from kurbel.reading.notation import Progression
 from kurbel.sweeps.columns import BOUND, AnsweredPlan, Cells, Record, Rows, columns_from
 from kurbel.sweeps.plan import Floats, Places, Plan, Points
-from kurbel.sweeps.records import (
-    DECIMALS,
-    IN_BALLS,
-    Pointwise,
-    digits_of,
-    is_small,
-)
+from kurbel.sweeps.records import DECIMALS, IN_BALLS, Pointwise, digits_of, is_small
 
 # Questions of a part, and its rows at the most: some seconds, and some tens of megabytes.
 QUESTIONS, ROWS = 2048, 1 << 20

@@ -310,8 +310,7 @@ class _Maker:
         return found
 
     def number(self, place: Place, text: str) -> Fraction:
-        found: Fraction = self.trying(place, number, text)
-        return found
+        return self.trying(place, number, text)
 
     def position(self, given: PositionFile) -> Position:
         pin = self.trying(("position", "pin"), read_formulas.read, given.pin, {}, self.mechanism)

@@ -8,13 +8,7 @@ from kurbel.commands.options import Choice, measure, word
 from kurbel.commands.part import Part, Rivals
 from kurbel.commands.parts.drive import Speed
 from kurbel.errors import ProblemError
-from kurbel.reading.given import (
-    as_inertia,
-    as_number,
-    as_power,
-    as_share,
-    as_specific_volume,
-)
+from kurbel.reading.given import as_inertia, as_number, as_power, as_share, as_specific_volume
 
 if TYPE_CHECKING:
     from kurbel.drive.wheel import Wheel

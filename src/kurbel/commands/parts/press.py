@@ -14,14 +14,7 @@ from kurbel.engine.diagram.sizing import Figures, Known, completed
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about
 from kurbel.exact.real import Product
-from kurbel.reading.given import (
-    as_duration,
-    as_energy_an_area,
-    as_length,
-    as_share,
-    as_speed,
-    as_stress,
-)
+from kurbel.reading.given import as_duration, as_energy_an_area, as_length, as_share, as_speed, as_stress
 from kurbel.reading.units import is_measure, split
 
 _HALF = Fraction(1, 2)

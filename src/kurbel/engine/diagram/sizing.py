@@ -7,15 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.engine.diagram.relations import (
-    DISC_RULES,
-    LAWS,
-    OF_DISC,
-    RULES,
-    SHOWN,
-    figures_of,
-    registry,
-)
+from kurbel.engine.diagram.relations import DISC_RULES, LAWS, OF_DISC, RULES, SHOWN, figures_of, registry
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import number_text
 from kurbel.exact.real import Product, Term

@@ -12,11 +12,7 @@ from math import floor
 from typing import ClassVar, NamedTuple
 
 from kurbel.drive.load import COMPRESSOR, PUMP
-from kurbel.engine.loads.ideal import (
-    LEAST_WORK,
-    check_clearance,
-    check_exponent,
-)
+from kurbel.engine.loads.ideal import LEAST_WORK, check_clearance, check_exponent
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
