@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -13,11 +12,8 @@ from kurbel.handbook.pool import KILLED, NOT_TRIED, BuiltFiles, WorkPiece, worke
 
 def pieces(kinds: str, folder: Path) -> list[WorkPiece]:
     """Return pieces by their letters: one that dies always, one that dies once, one that is made."""
-    makes: dict[str, Callable[[], BuiltFiles]] = {
-        "d": deadly,
-        "o": partial(deadly, str(folder / "once")),
-        "m": harmless,
-    }
+    once = partial(deadly, str(folder / "once"))
+    makes: dict[str, partial[BuiltFiles]] = {"d": partial(deadly), "o": once, "m": partial(harmless)}
     return [WorkPiece(f"{number}{kind}", "", makes[kind], None) for number, kind in enumerate(kinds)]
 
 

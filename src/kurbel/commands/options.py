@@ -14,14 +14,36 @@ from copy import copy
 from dataclasses import dataclass, field
 from os import PathLike
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Generic, Self, TypeAlias, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Generic, Self, TypeAlias, TypeVar, cast, overload
 
 from kurbel.errors import NotationError
 from kurbel.reading import given
 from kurbel.reading.given import Exact, allowed_name, found_at
 
 if TYPE_CHECKING:
+    from typing import TypedDict, Unpack
+
     from kurbel.commands.part import Part
+
+    class OptionWords(TypedDict, total=False):
+        """What is said of an option beside its help and its kind, as Option has it."""
+
+        short: str
+        unit: str
+        many: bool
+        positional: bool
+        environment: str
+        first: bool
+        last: bool
+        bare: str
+        required: bool
+        whole: bool
+        numbers: bool
+        what: str
+        machine: str
+        usual: str
+        topic: str
+
 
 Value = TypeVar("Value")
 Made = TypeVar("Made", covariant=True)
@@ -318,7 +340,7 @@ class Option(Generic[Made]):
 
 
 def measure(
-    read: Callable[[object, str], Value], help: str, metavar: str | None = None, **more: Any
+    read: Callable[[object, str], Value], help: str, metavar: str | None = None, **more: Unpack[OptionWords]
 ) -> Option[Value | None]:
     """Return an option that is read, None where it is not given; `read` takes it, and what it is called. A
     bare number is in the unit of the reader, if it has one."""
@@ -333,31 +355,39 @@ def alone(read: Callable[[object], Value]) -> Callable[[object, str], Value]:
 
 @overload
 def word(
-    help: str, metavar: str | None = ..., kind: Kind = ..., *, default: str, **more: object
+    help: str, metavar: str | None = ..., kind: Kind = ..., *, default: str, **more: Unpack[OptionWords]
 ) -> Option[str]: ...
 @overload
-def word(help: str, metavar: str | None = ..., kind: Kind = ..., **more: object) -> Option[str | None]: ...
-def word(help: str, metavar: str | None = None, kind: Kind = TEXT, **more: Any) -> Option[object]:
+def word(
+    help: str, metavar: str | None = ..., kind: Kind = ..., **more: Unpack[OptionWords]
+) -> Option[str | None]: ...
+def word(
+    help: str,
+    metavar: str | None = None,
+    kind: Kind = TEXT,
+    default: object = None,
+    **more: Unpack[OptionWords],
+) -> Option[object]:
     """Return an option that is a name or a text, as it stands."""
-    return Option(help, metavar, kind, **more)
+    return Option(help, metavar, kind, default=default, **more)
 
 
-def amount(help: str, metavar: str | None = None, **more: Any) -> Option[Exact | None]:
+def amount(help: str, metavar: str | None = None, **more: Unpack[OptionWords]) -> Option[Exact | None]:
     """Return an option that can be read only beside others, as an offset in crank radii or as a length."""
     return Option(help, metavar, **more)
 
 
-def file(help: str, metavar: str = "FILE", **more: Any) -> Option[Path | None]:
+def file(help: str, metavar: str = "FILE", **more: Unpack[OptionWords]) -> Option[Path | None]:
     """Return an option that is a file or a folder."""
     return Option(help, metavar, FILE, **more)
 
 
-def flag(help: str, **more: Any) -> Option[bool]:
+def flag(help: str, **more: Unpack[OptionWords]) -> Option[bool]:
     """Return an option that is said or not."""
     return Option(help, kind=FLAG, default=False, **more)
 
 
-def alone_of(value: object) -> Any:
+def alone_of(value: object) -> object:
     """Return the one value of a list of one, which the command line makes of options that may be repeated."""
     return value[0] if isinstance(value, list | tuple) and len(value) == 1 else value
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 from math import prod
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, overload
 
 from kurbel.commands.options import TEXT, Option, is_given
 from kurbel.drive.size import is_written
@@ -155,7 +155,11 @@ class SpacedValues(Sequence[str]):
     def __len__(self) -> int:
         return self.numbers.size
 
-    def __getitem__(self, index: object) -> Any:
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+    @overload
+    def __getitem__(self, index: slice) -> SpacedValues: ...
+    def __getitem__(self, index: int | slice) -> str | SpacedValues:
         if isinstance(index, slice):
             return SpacedValues(self.numbers[index], self.unit)
         return f"{figures(self.numbers[index])}{self.unit}"

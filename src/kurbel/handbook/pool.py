@@ -100,7 +100,7 @@ class WorkPiece(NamedTuple):
 
     name: str
     key: str
-    make: Callable[[], BuiltFiles]
+    make: partial[BuiltFiles]
     owner: Any
     line: int = 0
     apart: bool = False
@@ -225,17 +225,15 @@ def worked_by(scheduler: str, pieces: Iterable[WorkPiece], jobs: int) -> Iterato
 
 
 def _has_own_pages(piece: WorkPiece) -> bool:
-    make: Any = piece.make
-    task: Task = make.args[0]
+    task: Task = piece.make.args[0]
     options = task.part.options
     return bool(task.templates or options.get("layouts") or options.get("constructions"))
 
 
 def _absolute(piece: WorkPiece) -> partial[BuiltFiles]:
     """Return what makes a part, of files in the same folder wherever it is made."""
-    make: Any = piece.make
-    task: Task = make.args[0]
-    return partial(make.func, task._replace(folder=os.path.abspath(task.folder)))
+    task: Task = piece.make.args[0]
+    return partial(piece.make.func, task._replace(folder=os.path.abspath(task.folder)))
 
 
 def _inputs(make: partial[BuiltFiles], made: BuiltFiles) -> tuple[str, ...]:

@@ -118,8 +118,7 @@ def drawing_layout(name: str) -> Layout:
 
 def lettered_as_drawings(page: Layout) -> Layout:
     """Return a layout with the crank ratio as in all drawings, whatever its book has."""
-    own: dict[str, Any] = vars(page) | {"ratio_symbol": RATIO}
-    return Layout(**own)
+    return Layout(**{**vars(page), "ratio_symbol": RATIO})
 
 
 def asked_of(question: Asked, **changes: Any) -> Asked:

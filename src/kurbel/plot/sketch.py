@@ -116,8 +116,8 @@ class Sketch(NamedTuple):
     holes: list[Hole]
 
     def line(self, *points: Point, **look: Any) -> Line2D:
-        own: dict[str, Any] = {"color": BLACK, "linewidth": THIN, "solid_capstyle": "butt"}
-        return self.axes.plot(*zip(*points, strict=True), **(own | look))[0]
+        own = {"color": BLACK, "linewidth": THIN, "solid_capstyle": "butt", **look}
+        return self.axes.plot(*zip(*points, strict=True), **own)[0]
 
     def chain(
         self, *points: Point, pattern: Sequence[float] = LONG_DASH_DOT, begun: float = 0, open: float = 0

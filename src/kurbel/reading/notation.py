@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache, partial
 from itertools import pairwise
-from typing import Any
+from typing import overload
 
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about as about
@@ -63,7 +63,11 @@ class Progression(Sequence[Fraction]):
     def __len__(self) -> int:
         return self.size
 
-    def __getitem__(self, index: Any) -> Any:
+    @overload
+    def __getitem__(self, index: int) -> Fraction: ...
+    @overload
+    def __getitem__(self, index: slice) -> Progression: ...
+    def __getitem__(self, index: int | slice) -> Fraction | Progression:
         if isinstance(index, slice):
             rows = range(self.size)[index]
             return Progression(self.start + rows.start * self.step, self.step * rows.step, len(rows))
