@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypedDict
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import floats
@@ -242,7 +242,14 @@ def links_scene(drive: Linkage, angles: Sequence[float] = TURN) -> Scene | None:
     )
 
 
-def _joints(stand: Callable[[float], LinkagePosition], angles: Sequence[float]) -> dict[str, Any]:
+class Joints(TypedDict):
+    """The links and the pins of a scene."""
+
+    links: tuple[Link, ...]
+    pins: tuple[Joint, ...]
+
+
+def _joints(stand: Callable[[float], LinkagePosition], angles: Sequence[float]) -> Joints:
     """Return the links and the pins of a scene over these angles."""
     stands = [stand(angle) for angle in angles]
     letters = {name: letter.strip("$") for name, letter, _ in stands[0].letters}

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from functools import partial
 from io import FileIO
 from pkgutil import resolve_name
-from typing import Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import pyarrow as pa
 import pyarrow.compute as compute
@@ -27,6 +27,9 @@ from kurbel.reading.given import allowed_name
 from kurbel.sweeps.arrow import REASON, ROWS, gather, own_batch_of, reasons_of, with_options, write_partition
 from kurbel.sweeps.columns import MISSING
 from kurbel.sweeps.rows import Sweep
+
+if TYPE_CHECKING:
+    from _typeshed import ReadableBuffer
 
 
 class Form(NamedTuple):
@@ -175,13 +178,14 @@ class _Summed:
         self.file = FileIO(path, "wb")
         self.sum = 0
 
-    def write(self, content: Any) -> int:
+    def write(self, content: ReadableBuffer) -> int:
         self.sum = zlib.crc32(content, self.sum)
         left = memoryview(content).cast("B")
+        size = len(left)
         while left:
             # At once a system writes two gigabytes at the most.
             left = left[self.file.write(left) :]
-        return len(content)
+        return size
 
     def flush(self) -> None:
         """All is written as it comes."""
