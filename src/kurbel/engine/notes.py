@@ -6,13 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 
 from kurbel.drive.at import CRANK_FORCES, known
-from kurbel.engine.captions import (
-    cylinder_notes,
-    joined,
-    load_label,
-    masses_notes,
-    named_ratio,
-)
+from kurbel.engine.captions import cylinder_notes, joined, load_label, masses_notes, named_ratio
 from kurbel.engine.engine_quantities import AT_ANGLE, DIRECTIONS, EXTREMES, OF_RUNS, Needs
 from kurbel.engine.loads.words import engine_lines
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest

@@ -14,14 +14,7 @@ from kurbel.engine.digits import ERROR, FLOAT_ERROR, error_number, supported
 from kurbel.engine.engine_page import LoadAxis, errors_beside
 from kurbel.engine.notes import notes
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.rod_load import (
-    ENDS,
-    SLIDE,
-    RodLoad,
-    end_entry,
-    rod_quantities,
-    sign_of,
-)
+from kurbel.engine.rod_load import ENDS, SLIDE, RodLoad, end_entry, rod_quantities, sign_of
 from kurbel.engine.turn import Turn, turn_ties
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, nearest
