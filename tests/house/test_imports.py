@@ -17,6 +17,7 @@ from pathlib import Path
 import pytest
 
 import kurbel
+from kurbel.drive.mechanisms import SUBJECTS
 
 PACKAGE = Path(kurbel.__file__).parent
 HEAVY = {"numpy", "scipy", "matplotlib", "pint", "numba"}
@@ -118,8 +119,7 @@ def test_a_small_page_loads_nothing_of_other_mechanisms_or_of_engines() -> None:
 
 PAGES = (
     *("table --ratio 1:5", "delta --eps 2..6", "turning --eps 4", "deadcentres", "harmonics", "balance"),
-    *("table --mechanism arc --rocker 6", "table --mechanism parallel", "table --mechanism beam --beam 3"),
-    *("table --mechanism yoke", "table --mechanism slotted --pivot 2"),
+    *(one.sample for one in SUBJECTS.values()),
     *("inertia --centre=0.6 --gyration=0.4", "inertia --centre=0.6 --gyration=0.4 --layout=inertia-errors"),
     *("forces --at tangent", "solve --where p=0", "example blau 33", "example weisbach 150"),
 )

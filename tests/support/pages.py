@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 import kurbel
+from kurbel.drive.mechanisms import SUBJECTS
 from kurbel.exact.numerals import Number, number_text
 from kurbel.page.layouts import LANGUAGES, layout, layout_names
 from kurbel.page.table import DITTO, Panel, Table
@@ -23,6 +24,12 @@ STEAM = (
     "--pressure=8bar", "--back=1.1bar", "--clearance=8%", "--diagram-factor=0.8", "--efficiency=85%",
     "--speed=250/min", "--specific-volume=0.24 m3/kg",
 )  # fmt: skip
+# What prints a page about the motion of each linkage, in words, and as options.
+SAMPLES = {subject: tuple(one.sample.split()) for subject, one in SUBJECTS.items()}
+SAMPLED = {
+    subject: {option[2:]: value for option, value in zip(words[1::2], words[2::2], strict=True)}
+    for subject, words in SAMPLES.items()
+}
 # By what a page is about: the command that prints it, with what it cannot do without.
 COMMANDS: Mapping[str, tuple[str, ...]] = {
     "motion": ("table",),
@@ -87,10 +94,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "firing": ("firing", "--order=1-3-4-2"),
     "collation": ("collate", "roetscher-112"),
     "formulas": ("collate", "blau-equations"),
-    "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
-    "parallel crank": ("table", "--mechanism=parallel"),
-    "Scotch yoke": ("table", "--mechanism=yoke"),
-    "slotted lever": ("table", "--mechanism=slotted", "--pivot=2"),
+    **SAMPLES,
     "rod points": ("table", "--point=0.5"),
     "effort": (
         "forces",
@@ -104,7 +108,6 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
         "--friction=500N",
         "--slope=30",
     ),
-    "beam engine": ("table", "--mechanism=beam", "--beam=3"),
     "coupled axles": ("forces", "--mechanism=parallel", "--axles=3"),
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
     **dict.fromkeys(
@@ -147,24 +150,10 @@ BALANCES = about("harmonics", "balance")
 TURNED = about("balance at angles", "balance extremes", "rotor", "locomotive")
 COLLATIONS = about("collation", "formulas")
 EFFORTS = about("effort")
-LINKAGES = about(
-    "arc crank",
-    "parallel crank",
-    "coupled axles",
-    "beam engine",
-    "Scotch yoke",
-    "slotted lever",
-    "rod points",
-)
+LINKAGES = about(*SAMPLES, "coupled axles", "rod points")
 # What `kurbel table` prints.
 APPROXIMATED = about("series errors", "successive")
-DRIVES = sorted(
-    (
-        *about("motion", "arc crank", "parallel crank", "beam engine", "Scotch yoke", "slotted lever"),
-        *about("rod points", "over path"),
-        *APPROXIMATED,
-    )
-)
+DRIVES = sorted((*about("motion", *SAMPLES, "rod points", "over path"), *APPROXIMATED))
 PRESSED = about("pressures", "pressures over the angle")
 RODS = about(
     "mass forces", "inertia", "inertia errors", "rod masses", "pin masses", "rocker inertia", "tangent"
@@ -248,17 +237,13 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "firing": (kurbel.firing, {"order": "1-3-4-2"}),
     "collation": (kurbel.collate, {"table": "roetscher-112"}),
     "formulas": (kurbel.collate, {"table": "blau-equations"}),
-    "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
-    "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
-    "Scotch yoke": (kurbel.table, {"mechanism": "yoke"}),
-    "slotted lever": (kurbel.table, {"mechanism": "slotted", "pivot": 2}),
+    **{subject: (kurbel.table, options) for subject, options in SAMPLED.items()},
     "rod points": (kurbel.table, {"point": 0.5}),
     "effort": (kurbel.forces, {
         "bore": 0.3, "piston_rod": 0.05, "head_pressure": 150_000, "stroke": 0.6, "speed": 2,
         "reciprocating": 300, "rod_mass": 150, "centre": 0.6, "gyration": "0.3", "friction": 500,
         "slope": 30,
     }),
-    "beam engine": (kurbel.table, {"mechanism": "beam", "beam": 3}),
     "coupled axles": (kurbel.forces, {"mechanism": "parallel", "axles": 3}),
     **dict.fromkeys(
         ("rod masses", "pin masses"),
