@@ -10,7 +10,7 @@ import click
 from kurbel.books.example import example as worked
 from kurbel.books.example import numbers_of, source, source_keys
 from kurbel.books.source import books
-from kurbel.cli.listing import Entry, Heading, Listing, form_of_list, list_format, plain_lines, show_list
+from kurbel.cli.listing import Entry, Heading, Listing, form_of_list, list_format, show_list
 from kurbel.cli.options import Option, TypedOptions, click_option, lang_option
 from kurbel.cli.tables import CollateCommand, PrintOptions, TableCommand
 from kurbel.commands import books as pages
@@ -71,7 +71,7 @@ class ExampleCommand(TableCommand):
         form = form_of_list(given, ("book", "number", "lang"), "the page of an example", "blau 33")
         rows = [row for one in keys for row in _rows(one, lang)]
         own = ("source", "number", "title", "options")
-        show_list(Listing("examples", lang, own, rows, HEADS["example"][lang], rows), form, plain_lines(rows))
+        show_list(Listing("examples", lang, own, rows, HEADS["example"][lang], rows), form)
         return 0
 
     def made(self, given: TypedOptions) -> Table | Drawing:

@@ -107,12 +107,14 @@ def form_of_list(given: TypedOptions, kept: Collection[str], page: str, example:
     return str(form)
 
 
-def show_list(listing: Listing, form: str, plain: Iterable[str]) -> None:
-    """Print a list in a format; as text with heads on a terminal, elsewhere as the plain lines."""
+def show_list(listing: Listing, form: str, plain: Iterable[str] | None = None) -> None:
+    """Print a list in a format; as text with heads on a terminal, elsewhere as the plain lines, by default
+    those of its records."""
     chosen, width = FORMATS[form], screen.width()
     if isinstance(chosen, RecordsFormat):
         show_lines(_records(listing, chosen), "")
     else:
+        plain = plain_lines(listing.rows) if plain is None else plain
         show_lines(plain if width is None else set_list(listing.heads, listing.entries, width))
 
 
@@ -241,7 +243,7 @@ def layouts(layouts: File | None, copy: tuple[str, str] | None, form: str, lang:
     entries = [(key, (title, command)) for key, title, command in rows]
     keys = ("layout", "title", "command")
     listing = Listing("layouts", lang, keys, rows, HEADS["layouts"][lang], entries)
-    show_list(listing, form, plain_lines(rows))
+    show_list(listing, form)
 
 
 def printing(layout: Layout, folder: File | None) -> str:
@@ -261,6 +263,4 @@ def quantities(form: str, lang: str) -> None:
         for one, command in about.entries():
             rows.append((one.key, about.name_of(one, lang), one.plain_unit(lang), command))
     keys = ("key", "name", "unit", "command")
-    show_list(
-        Listing("quantities", lang, keys, rows, HEADS["quantities"][lang], rows), form, plain_lines(rows)
-    )
+    show_list(Listing("quantities", lang, keys, rows, HEADS["quantities"][lang], rows), form)

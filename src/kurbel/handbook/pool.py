@@ -128,14 +128,8 @@ def worked(pieces: Iterable[WorkPiece], jobs: int) -> Iterator[Answer]:
             yield piece, tried(piece.make)
 
 
-class PieceMaker:
-    """What makes pieces, by their numbers; it goes to other processes."""
-
-    def __init__(self, pieces: Iterable[WorkPiece]) -> None:
-        self.makes = [piece.make for piece in pieces]
-
-    def __call__(self, number: int) -> BuiltFiles | str:
-        return tried(self.makes[number])
+def _piece(makes: Sequence[Callable[[], BuiltFiles]], number: int) -> BuiltFiles | str:
+    return tried(makes[number])
 
 
 def tried(make: Callable[[], BuiltFiles]) -> BuiltFiles | str:
@@ -163,7 +157,8 @@ def _worked_apart(pieces: Sequence[WorkPiece], jobs: int) -> Iterator[Answer]:
         return pieces[number].killed
 
     # One at a time to each, or it could not be told which of them ended its process.
-    hands = Processes(PieceMaker(pieces), min(jobs, len(pieces)), ahead=1, tries=TRIES, ended=killed)
+    make = partial(_piece, [piece.make for piece in pieces])
+    hands = Processes(make, min(jobs, len(pieces)), ahead=1, tries=TRIES, ended=killed)
     left, count = dict(enumerate(pieces)), 0
     with closing(taken(hands, len(pieces))) as done:
         for number, made in done:
@@ -187,18 +182,11 @@ class WorkerResult(NamedTuple):
     inputs: tuple[str, ...] = ()
 
 
-class Parts:
-    """The parts by their numbers; it goes to the workers."""
-
-    def __init__(self, pieces: Iterable[WorkPiece]) -> None:
-        self.makes = [_absolute(piece) for piece in pieces]
-
-    def __call__(self, number: int) -> WorkerResult:
-        make = self.makes[number]
-        # The precision of balls is that of the process.
-        with BALLS:
-            made = tried(make)
-        return WorkerResult(made, () if isinstance(made, str) else _inputs(make, made))
+def _part(makes: Sequence[partial[BuiltFiles]], number: int) -> WorkerResult:
+    # The precision of balls is that of the process.
+    with BALLS:
+        made = tried(makes[number])
+    return WorkerResult(made, () if isinstance(made, str) else _inputs(makes[number], made))
 
 
 def worked_by(scheduler: str, pieces: Iterable[WorkPiece], jobs: int) -> Iterator[Answer]:
@@ -213,11 +201,11 @@ def worked_by(scheduler: str, pieces: Iterable[WorkPiece], jobs: int) -> Iterato
     for piece in pieces:
         (here if _has_own_pages(piece) else there).append(piece)
     if there:
-        parts, name = Parts(there), f"handbook-{os.urandom(8).hex()}"
-        cluster = Cluster(scheduler, parts, name, {}, (*LIBRARIES, *OF_PAGES))
+        makes, name = [*map(_absolute, there)], f"handbook-{os.urandom(8).hex()}"
+        cluster = Cluster(scheduler, partial(_part, makes), name, {}, (*LIBRARIES, *OF_PAGES))
         for number, one in taken(cluster, len(there)):
             piece = there[number]
-            if isinstance(one.made, str) or one.inputs != _inputs(parts.makes[number], one.made):
+            if isinstance(one.made, str) or one.inputs != _inputs(makes[number], one.made):
                 here.append(piece)
             else:
                 yield piece, one.made

@@ -324,7 +324,7 @@ def plain_unit(text: str) -> str | None:
     above: list[str] = []
     below: list[str] = []
     try:
-        for name, power in _factors(text.translate(_SUPERSCRIPTS).strip()):
+        for name, power in factors_of(text):
             (above if power > 0 else below).extend([name] * abs(power))
     except ValueError:
         return None
@@ -334,8 +334,9 @@ def plain_unit(text: str) -> str | None:
     return _WHOLE.get(found, found)
 
 
-def _factors(text: str) -> Iterator[tuple[str, int]]:
-    """Yield the names and their powers; raise ValueError for anything else."""
+def factors_of(text: str) -> Iterator[tuple[str, int]]:
+    """Yield the names in a product of units and their powers; raise ValueError for anything else."""
+    text = text.translate(_SUPERSCRIPTS).strip()
     # What a stroke is over in brackets is over one by one: lb/(hp h).
     rest, sign = re.sub(r"/\s*\((\w+)[\s*·]+(\w+)\)", r"/\1/\2", re.sub(r"^1\s*(?=/)", "", text)), 1
     if rest.startswith("/"):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -16,6 +15,7 @@ from kurbel.motion.motion_page import Request
 from kurbel.page.labels import plain
 from kurbel.page.subject import Question
 from kurbel.page.table import Note
+from kurbel.reading.amounts import factors_of
 from kurbel.reading.notation import Progression
 from kurbel.sweeps.columns import Column
 from kurbel.sweeps.plan import text_of
@@ -146,17 +146,9 @@ def _range(values: Progression) -> str:
     return f"{exact_text(values[0])}..{exact_text(values[-1])}:{exact_text(values.step)}"
 
 
-# Units as udunits spells them, where that is not the letter itself.
-SPELLED: Mapping[str, str] = {
-    "°": "degree",
-    "%": "percent",
-    "rad": "radian",
-    "min": "minute",
-    "h": "hour",
-}
+# Units as udunits spells them, where that is not the letter itself, and those that it has by their letters.
+SPELLED: Mapping[str, str] = {"rad": "radian", "min": "minute", "h": "hour"}
 OWN = frozenset(("m", "mm", "cm", "km", "kg", "s", "N", "J", "W", "kW", "Pa", "kPa", "MPa", "bar", "Hz"))
-_POWERS = str.maketrans("⁻¹²³", "-123")
-_UNIT = re.compile(r"(?P<letters>[^\d\s⁻¹²³]+)(?P<power>[⁻¹²³]*)")
 
 
 def cf_of_file(about: SweepDescription) -> dict[str, str]:
@@ -186,27 +178,12 @@ def cf_of(about: SweepDescription, column: Column) -> dict[str, str]:
 
 def udunits(unit: str) -> str:
     """Return a unit as udunits spells it: m/s² is "m s-2"; "1" for one that it does not know."""
-    above, _, below = unit.partition("/")
-    factors = [*_factors(above, 1), *_factors(below, -1)]
-    if unit.startswith("%"):
-        return "percent"
-    if not unit or None in factors:
+    if unit == "°" or unit.startswith("%"):
+        return "degree" if unit == "°" else "percent"
+    try:
+        factors = [*factors_of(unit.replace("kWh", "kW/h" if "/kWh" in unit else "kW h"))]
+    except ValueError:
         return "1"
-    return " ".join(one for one in factors if one)
-
-
-def _factors(text: str, sign: int) -> list[str | None]:
-    return [_factor(word, sign) for word in text.split()]
-
-
-def _factor(word: str, sign: int) -> str | None:
-    found = _UNIT.fullmatch(word)
-    if word == "kWh":
-        return "kW hour" if sign > 0 else "kW-1 hour-1"
-    if found is None:
-        return None
-    letters, power = found["letters"], sign * int(found["power"].translate(_POWERS) or 1)
-    if letters not in OWN and letters not in SPELLED:
-        return None
-    name = SPELLED.get(letters, letters)
-    return name if power == 1 else f"{name}{power}"
+    if not factors or not all(name in OWN or name in SPELLED for name, _ in factors):
+        return "1"
+    return " ".join(f"{SPELLED.get(name, name)}{'' if power == 1 else power}" for name, power in factors)
