@@ -215,7 +215,7 @@ def each_number(
 ) -> tuple[Fraction, ...]:
     """Return the numbers of lists and ranges, equal ones too: "0;0;1;1"; `one` reads each."""
     one = one or partial(number, what=what)
-    several = partial(_number_range, what=what, one=one)
+    several = partial(_range, what=what, one=one)
     return _values(parts_of(texts, one, what), one, several, LONGEST_LIST, f"{what}s")
 
 
@@ -327,20 +327,18 @@ def _ratio_range(text: str, most: int) -> Sequence[Fraction]:
     return [1 / value for value in values] if by_length else values
 
 
-def _number_range(text: str, what: str, one: Callable[[str], Fraction]) -> Sequence[Fraction]:
+def _range(
+    text: str, what: str, one: Callable[[str], Fraction], example: str = "2..6 or 2..6:0.5"
+) -> Progression:
+    """Return the numbers of a range, of which `one` reads the ends and the step."""
     match = re.fullmatch(r"([^:]+?)\.\.([^:]+)(?::([^:]+))?", text)
     if match is None:
-        raise NotationError(f"{what} {quoted(text)} is not a range; write it as 2..6 or 2..6:0.5")
+        raise NotationError(f"{what} {quoted(text)} is not a range; write it as {example}")
     first, last, step = match.groups()
-    return progression(one(first), one(last), one(step) if step else Fraction(1), what)
+    return progression(one(first), one(last), one(step or "1"), what)
 
 
-def _angle_range(text: str) -> Progression:
-    match = re.fullmatch(r"(.+?)\.\.(.+?)(?::(.+))?", text)
-    if match is None:
-        raise NotationError(f"angle {quoted(text)} is not a range; write it as 0..180:10")
-    first, last, step = match.groups()
-    return progression(angle(first), angle(last), angle(step or "1"))
+_angle_range = partial(_range, what="angle", one=angle, example="0..180:10")
 
 
 def check_length(count: int, most: int, what: str) -> None:

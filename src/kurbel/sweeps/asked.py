@@ -100,16 +100,20 @@ class _List(NamedTuple):
         return self.values[int(share * len(self.values))]
 
 
+def _each(given: object) -> Sequence[object]:
+    return given if isinstance(given, list | tuple) else [given]
+
+
 def is_varied(option: Option[object], given: object) -> bool:
     """Whether an option has several values, or a range without a step."""
-    texts = given if isinstance(given, list | tuple) else [given]
+    texts = _each(given)
     if option.whole:
         return len(texts) > 1 and not option.many
     return len(texts) > 1 or (isinstance(texts[0], str) and (";" in texts[0] or ".." in texts[0]))
 
 
 def _space(option: Option[object], given: object) -> _Range | _List:
-    texts = given if isinstance(given, list | tuple) else [given]
+    texts = _each(given)
     one = texts[0]
     if len(texts) > 1 or not isinstance(one, str) or ";" in one or option.whole:
         return _List(several(option, texts))
@@ -160,10 +164,6 @@ def left_of(command: Command, options: Values) -> dict[str, object]:
     return {name: value for name, value in given.items() if name == "time_ratio" or trial.says(name)}
 
 
-def _each(given: object) -> Sequence[object]:
-    return given if isinstance(given, list | tuple) else [given]
-
-
 def values_of(option: Option[object], given: object) -> Sequence[object]:
     """Return the values that an option was given, each as the command takes it. Raises NotationError."""
     if isinstance(given, bool) or not is_given(given):
@@ -173,7 +173,7 @@ def values_of(option: Option[object], given: object) -> Sequence[object]:
         return (given,)
     if option.whole and option.many:
         return (option.taken(given),)
-    found = several(option, given if isinstance(given, list | tuple) else [given])
+    found = several(option, _each(given))
     numbers = option.kind is TEXT and option.numbers and not option.whole
     for one in found if numbers and isinstance(found, tuple) and len(found) > 1 else ():
         if isinstance(one, str) and not is_readable(option, one):
