@@ -18,6 +18,9 @@ DEGREE = Fraction(31415926535897932384626433832795, 180 * 10**31)
         "--eps=4 --stroke=60cm --bore=30cm --pressure=8bar --inertia=900kgm2 --speed=12rad/s --method=series",
         "--eps=4 --flywheel=60 --speed=2/s --method=weisbach",
         "--pressure-ratio=4 --flywheel=50 --speed=150/min",
+        "--eps=3 --offset=0.2 --stroke=60cm --bore=30cm --pressure=8bar --inertia=60kgm2 --speed=12rad/s"
+        " --reciprocating=300kg",
+        "--eps=4 --flywheel=4 --speed=2/s --resistance=square",
     ],
 )
 def test_it_is_half_the_slope_of_the_square_of_the_speed(words: str) -> None:

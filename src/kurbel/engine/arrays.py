@@ -21,8 +21,7 @@ from kurbel.engine.engine_quantities import value
 from kurbel.engine.irregularity import enclosed_delta
 from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.speed.run import Run
-from kurbel.engine.speed.solved import run_of
+from kurbel.engine.speed.run import Run, run_of
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.bulk import Integers, nearest

@@ -12,8 +12,7 @@ from kurbel.engine.diagram.fluctuation import shown
 from kurbel.engine.diagram.torque import Torque
 from kurbel.engine.diagram.wheel_page import WheelRequest
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.speed.run import AnyRun
-from kurbel.engine.speed.solved import run_of
+from kurbel.engine.speed.run import Run, run_of
 from kurbel.engine.speed.speed_page import speed_registry
 from kurbel.exact.kind import Kind, floats
 from kurbel.page.quantity import words
@@ -51,7 +50,7 @@ def speed_panel(request: EngineRequest) -> Panel:
     return Panel(curves, label, unit)
 
 
-def _unity(run: AnyRun) -> float:
+def _unity(run: Run) -> float:
     """Return what is drawn for v₁."""
     if run.wheel.speed is None:
         return 1.0

@@ -10,9 +10,9 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
+from functools import partial, reduce
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import flint
 from flint import arb
@@ -21,8 +21,22 @@ from kurbel.engine.turn import Turn, TurnPiece
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.place import fraction
-from kurbel.exact.search import interval
-from kurbel.exact.taylor import ComplexNumber, Formula, Taylor, bounded, continued, expanded, half_turn_circle
+from kurbel.exact.search import Function, Zero, interval, isolate
+from kurbel.exact.taylor import (
+    ComplexNumber,
+    Formula,
+    Taylor,
+    bounded,
+    continued,
+    expanded,
+    exponential,
+    half_turn_circle,
+)
+from kurbel.kernel.circle import Numeric
+from kurbel.kernel.steam import larger, smaller
+
+if TYPE_CHECKING:
+    from kurbel.engine.speed.samples import Samples
 
 # Bits to which a corner is known, or so many beyond the precision in force if that is more: up to there all
 # precisions have the same sections.
@@ -32,6 +46,8 @@ CORNER_BITS, NARROWER = 288, 32
 RADII, MOST, NARROWEST = 4, 1e5, Fraction(1, 2**24)
 # Sections are halved until a power of a function is known on a disk about each.
 MOST_HALVINGS = 12
+# By so much of its width a section is searched beyond its ends, where a zero of a slope may lie by a hair.
+BEYOND = Fraction(1, 18)
 
 # Of sections by their ends the bounds of the two formulas, None where they have none.
 Bounds = dict[tuple[Fraction, Fraction], tuple[arb | None, ...]]
@@ -55,6 +71,11 @@ class Section(NamedTuple):
     end: arb
     function: Taylor
 
+    @property
+    def slopes(self) -> tuple[Function, Function]:
+        """The slope over the half turns, and its own slope."""
+        return partial(self.function.at, order=1), partial(self.function.at, order=2)
+
     def halves(self) -> Iterator[Section]:
         """Yield both halves, on disks half as wide."""
         middle = (self.low + self.high) / 2
@@ -66,12 +87,24 @@ class Section(NamedTuple):
             yield half._replace(function=replace(about, radius=self.function.radius / 2))
 
 
+class Turning(NamedTuple):
+    """Where a function may be least or greatest: within the section about a place."""
+
+    middle: Fraction
+    zero: Zero
+
+
 class Course:
     """A function over a cycle of so many half turns, section by section, and by how much it grows in one."""
 
     def __init__(self, sections: Iterable[Section], cycle: int, gain: arb | int = 0) -> None:
         self.sections, self.cycle, self.gain = tuple(sections), cycle, gain
         self.lows = [one.low for one in self.sections]
+
+    @property
+    def first(self) -> arb:
+        """The function where the first section begins, at the dead centre."""
+        return self.sections[0].function.at(self.sections[0].start)
 
     def at(self, half_turns: Fraction) -> arb:
         """Return the function at a place of any cycle."""
@@ -123,6 +156,60 @@ class Course:
             total = own.at(one.end)
             found.append(one._replace(function=own))
         return Course(found, self.cycle, total)
+
+    def lagging(self, rate: arb) -> Course:
+        """Return y of the cycle after which it comes again, where y' = -rate (f + y) of the function f.
+
+        On each section it is (c - rate ∫ f e^(rate θ)) e^(-rate θ).
+        """
+        growing = self.mapped(lambda one: exponential(one, rate))
+        parts = (self * growing).mapped(Taylor.sum) * -rate
+        decaying = self.mapped(lambda one: exponential(one, -rate))
+        begun, found = arb(0), []
+        for part, decay in zip(parts.sections, decaying.sections, strict=True):
+            begun = _ended(part, decay, begun, rate)[1]
+        begun /= 1 - (-rate * self.cycle).exp()
+        for part, decay in zip(parts.sections, decaying.sections, strict=True):
+            constant, begun = _ended(part, decay, begun, rate)
+            found.append(part._replace(function=(part.function + constant) * decay.function))
+        return Course(found, self.cycle)
+
+    def turnings(self) -> Iterator[Turning]:
+        """Yield where the function is least or greatest, of all functions that the balls hold."""
+        for before, one in pairwise((self.sections[-1], *self.sections)):
+            if before.function.at(before.end, 1) * one.function.at(one.start, 1) < 0:
+                raise ProblemError("the speed turns in a dead centre; its extremes cannot be told apart")
+            more = (one.high - one.low) * BEYOND
+            for zero in isolate(*one.slopes, one.low - more, one.high + more):
+                yield Turning(one.function.middle, zero)
+
+    def extreme(self, greatest: bool, turnings: Iterable[Turning]) -> tuple[arb, arb]:
+        """Return where the function is greatest or least, and what it is there, of these places."""
+        sign, found = 1 if greatest else -1, []
+        for one in turnings:
+            if one.zero.rising is not greatest:
+                section = self.around(one.middle)
+                at = one.zero.of(*section.slopes).place()
+                if not (at < section.start or at > section.end):
+                    found.append((at, section.function.at(at)))
+        left = [one for one in found if not any(sign * one[1] < sign * other for _, other in found)]
+        values: Iterator[Numeric] = (value for _, value in left)
+        return left[0][0], ball(reduce(larger if greatest else smaller, values))
+
+    def in_floats(self) -> Samples:
+        """Return the same on samples, nearly."""
+        from kurbel.engine.speed.samples import SAMPLES, Samples
+
+        start, steps = self.lows[0], range(self.cycle // 2 * SAMPLES)
+        values = [float(self.at(start + Fraction(2 * step, SAMPLES))) for step in steps]
+        return Samples(values, float(start), self.cycle)
+
+
+def _ended(part: Section, decay: Section, begun: arb, rate: arb) -> tuple[arb, arb]:
+    """Return c of a section at whose start y is such, and y at its end."""
+    away = part.start - ball(part.function.middle)
+    constant = begun * (rate * away).exp() - part.function.at(part.start)
+    return constant, (part.function.at(part.end) + constant) * decay.function.at(part.end)
 
 
 def _powers(one: Section, exponent: Fraction, halvings: int) -> Iterator[Section]:

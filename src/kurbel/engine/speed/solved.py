@@ -1,331 +1,227 @@
 """Speeds over the turn but for one number: with moving masses, or against the square of the speed.
 
-That number is such that the squares of the speeds, in a fixed unit, rise with it at every angle. So does the
-mean speed ½ (v_max + v_min), by which it is known. Samples of the turn in floats give it nearly; then it is
-enclosed between two numbers at which the mean is proved to be too low and too high.
+With ω = s ω_m, where ω_m is the mean speed ½ (v_max + v_min), the energy of flywheel and masses is
+(½ I + k) s²: I is J ω_m² and k that part of the masses' energy at ω_m which changes with the angle, in Q R.
+Its slope is the moment of the steam less the resistance. W is the work of the steam above its mean P.
 
-With ω = s ω_m, where ω_m is the mean speed, the energy of flywheel and masses is (½ I + k) s²: I is J ω_m²
-and k that part of the masses' energy at ω_m which changes with the angle, in Q R. So (½ I + k) s² = E + W,
-where W is the work of the steam alone above its mean and E = (½ I + k₀) u the energy at the dead centre,
-u = s₁², the number.
+Against a constant resistance (½ I + k) s² = E + W, where E = (½ I + k₀) u is the energy at the dead centre
+and u = s₁² the number. Against the square of the speed, without masses, the energy of the flywheel is h, the
+resistance a h and the equation h' = P + W' - a h linear in h; its one periodic solution is h = P/a + W + y,
+where y' = -a (W + y). The number is 1/a, the lag of the speed in radians. Re-derived.
 
-Against the square of the speed the mass of a flywheel alone is h = ½ J ω²/(P r), and with τ = T/P the
-equation of motion h' = τ - a h is linear in h; P is the mean torque, for over a turn a h has the mean 1. With
-the excess work w, whose slope is τ - 1, its one periodic solution is h = 1/a + w + y, where y' = -a (w + y).
-The number is 1/a. Re-derived.
+The number is such that the squares of the speeds, in a fixed unit, rise with it at every angle. So does the
+mean speed, by which it is known. Samples of the turn in floats give it nearly, which is all that a card has;
+else it is enclosed between two numbers at which the mean is proved to be too low and too high.
 """
 
 from __future__ import annotations
 
-from abc import abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
-from functools import lru_cache, partial, reduce
-from itertools import pairwise
-from math import exp, pi
-from typing import NamedTuple
+from math import pi
+from typing import Any, NamedTuple
 
 from flint import arb
 
 from kurbel.drive.at import known
 from kurbel.drive.wheel import SQUARE, Wheel
-from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.speed.course import Bounds, Course, Section, energies
-from kurbel.engine.speed.run import (
-    SAMPLES,
-    STEP,
-    AnyRun,
-    Run,
-    SampledRun,
-    above,
-    given_of,
-    hit,
-    least_factor,
-    mean_of,
-)
+from kurbel.engine.speed.run import STEP, Run, above, halved
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball, kept
-from kurbel.exact.search import ISOLATING_BITS, Function, Zero, crossing, interval, isolate
-from kurbel.exact.taylor import Taylor, exponential
-from kurbel.kernel.circle import Numeric, root
-from kurbel.kernel.steam import larger, smaller
+from kurbel.exact.search import ISOLATING_BITS, crossing, interval
+from kurbel.kernel.circle import root
 
 # How far around its first value the number is looked for, as a share of it, and so many times sixteen times
 # as far.
 NEAR, FARTHER = Fraction(1, 2**20), 4
-# By so much of its width a section is searched beyond its ends, where a zero of a slope may lie by a hair.
-BEYOND = Fraction(1, 18)
-# The lag of the speed, 1/a in radians.
-LEAST_LAG, MOST_LAG = 0.15, 1e6
-KEPT = 512
+# u is below 2, for the mean speed is 1 and no speed is below 0; the lag is not above so many radians.
+MOST, MOST_LAG = 4.0, 1e13
+LEAST_LAG = 0.15
+HALVINGS = 90
+# The mean speed is hit so nearly, or none of the run is.
+MOST_MISSED = 1e-6
+# Floats know where they are greatest to half of their digits, in half turns.
+FLAT = 1e-7
 
 
-class SpeedExtreme(NamedTuple):
-    """Where the speed is least or greatest: within the section about a place."""
+class Equation(NamedTuple):
+    """W and k over a cycle, ½ I where the number is 1, k₀ and P, of a wheel: in balls or in floats."""
 
-    middle: Fraction
-    zero: Zero
-
-
-class SolvedRun(AnyRun):
-    """A turn in balls whose squares of the speed are known but for one number."""
-
-    turn: Turn
-
-    def __init__(self, turn: Turn, wheel: Wheel) -> None:
-        super().__init__(turn, wheel)
-        bounds: Bounds = {}
-        self.energies = kept(lambda: energies(turn, bounds), STEP)
-        self._squares = kept(self._solved, STEP)
-        self._low, self._high = self._isolated()
-
-    @abstractmethod
-    def first_guess(self) -> Fraction:
-        """Return the number nearly. Raises ProblemError for a flywheel that comes to rest."""
-
-    @abstractmethod
-    def squares(self, number: arb) -> Course:
-        """Return the squares of the speed that a number makes."""
-
-    def beyond(self, squares: Course) -> arb:
-        """What is zero at the true number and rises with it: the mean speed above 1."""
-        return ball(sum(root(self._extreme(squares, greatest)) for greatest in (True, False))) / 2 - 1
+    works: Any
+    energies: Any
+    half: Any
+    first: Any
+    mean: Any
+    wheel: Wheel
 
     @property
-    def number(self) -> Numeric:
-        if self.wheel.number is not None:
-            return self.turn.of(self.wheel.number)
-        share = self.first_omega / self.mean_omega
-        return self.at_mean * share * share
+    def square(self) -> bool:
+        return self.wheel.resistance == SQUARE
 
-    def speed(self, half_turns: Fraction) -> arb:
-        squares = self._squares()
-        return root(squares.at(half_turns) / _first(squares))
+    def squares(self, number: Any, factor: float = 1) -> Any:
+        """Return the squares of the speed that a number makes, of a flywheel so many times as heavy.
 
-    def slowness(self) -> Course:
-        squares = self._squares()
-        return (squares * (1 / _first(squares))).power(Fraction(-1, 2))
+        They are in units of the mean speed, or of v₁ where that of the flywheel's number is not the mean one.
+        """
+        half = self.wheel_energy(number) * factor
+        if self.square:
+            rate = (pi if isinstance(number, float) else arb.pi()) / number
+            return (self.works + self.works.lagging(rate) + self.mean * number) * (1 / half)
+        energy = (half + self.first) * number
+        return (self.energies + half).power(Fraction(-1)) * (self.works + energy)
 
-    def extreme_place(self, greatest: bool) -> arb:
-        return self._extremes(self._squares(), greatest)[0][0]
+    def wheel_energy(self, number: Any) -> Any:
+        """Return ½ I."""
+        of_first = self.wheel.number is not None and not self.square
+        return self.half / number if of_first else self.half
 
-    def extreme_speed(self, greatest: bool) -> arb:
-        squares = self._squares()
-        return root(self._extreme(squares, greatest) / _first(squares))
+    def beyond(self, squares: Any, turnings: Sequence[Any] = ()) -> Any:
+        """Return what is zero at the true number and rises with it: the mean speed above 1 or, against the
+        square of the speed, that at the dead centre of a flywheel known by its number."""
+        if self.square and self.wheel.number is not None:
+            return root(squares.first) - 1
+        return sum(root(squares.extreme(greatest, turnings)[1]) for greatest in (True, False)) / 2 - 1
 
-    def _solved(self) -> Course:
-        return self.squares(crossing(lambda number: self.beyond(self.squares(number)), self._low, self._high))
+    def in_floats(self) -> Equation:
+        """Return the same on samples, nearly."""
+        half, first, mean = map(float, (self.half, self.first, self.mean))
+        return Equation(self.works.in_floats(), self.energies.in_floats(), half, first, mean, self.wheel)
 
-    def _isolated(self) -> tuple[Fraction, Fraction]:
+    def number(self, factor: float = 1.0, turnings: Sequence[Any] = ()) -> float | None:
+        """Return the number by samples, of a flywheel so many times as heavy, None where it comes to rest."""
+
+        def beyond(number: float) -> float:
+            squares = self.squares(number, factor)
+            return -1.0 if _rests(squares, turnings) else float(self.beyond(squares, turnings))
+
+        found = halved(0.0, self.most, lambda number: beyond(number) < 0, HALVINGS)
+        return found if abs(beyond(found)) < MOST_MISSED else None
+
+    @property
+    def most(self) -> float:
+        """What no number is above."""
+        return MOST_LAG if self.square else MOST
+
+    def least_factor(self) -> float:
+        """Return how many times as heavy a flywheel must be that comes to rest."""
+        low, high = 1.0, 2.0
+        for _ in range(HALVINGS):
+            if self.number(high) is not None:
+                return halved(low, high, lambda factor: self.number(factor) is None, HALVINGS // 4)
+            low, high = high, 2 * high
+        raise ProblemError("the speed over the turn is not settled; give slightly other numbers")
+
+
+def _rests(squares: Any, turnings: Sequence[Any] = ()) -> bool:
+    """Whether a speed is below 0, in floats."""
+    return bool(squares.extreme(False, turnings)[1] < 0)
+
+
+class SolvedRun(Run):
+    """A turn whose squares of the speed are known but for one number."""
+
+    def check(self) -> None:
+        """Know the number nearly. Raises ProblemError for a flywheel that would come to rest."""
+        self._solved = kept(self._solution, STEP)
+        with at_bits(ISOLATING_BITS):
+            equation = self._equation()
+            self._guess = self._nearly(equation.in_floats())
+            if isinstance(self.turn, Turn):
+                self._low, self._high = self._isolated(equation, Fraction(self._guess))
+            else:
+                self._turnings = equation.squares(self._guess).turnings()
+
+    def _equation(self) -> Equation:
+        works, energies = self.courses()
+        mean = abs(self.turn.mean_force())
+        weight = self.at_mean if self.wheel.number is None else self.turn.of(self.wheel.number)
+        return Equation(
+            works, energies, weight * mean / 2, self.turn.kinetic_energy_begun(), mean, self.wheel
+        )
+
+    def _nearly(self, equation: Equation) -> float:
+        given = float(known(self.wheel.inertia if self.wheel.number is None else self.wheel.number))
+        number = equation.number()
+        if number is None:
+            # Where the speed is just nowhere below 0.
+            last = halved(0.0, equation.most, lambda one: _rests(equation.squares(one)), HALVINGS)
+            place, _ = equation.squares(last).extreme(greatest=False)
+            self.refuse(180 * place, given * equation.least_factor())
+        if equation.square and number < LEAST_LAG:
+            factor = (1 + equation.beyond(equation.squares(LEAST_LAG))) ** 2
+            raise ProblemError(
+                f"{self.wheel.named} is too light: the speed follows the torque at every angle, as if there"
+                f" were none; {self.wheel.letter} must be above {above(given * factor)}"
+                f"{self.wheel.unit}"
+            )
+        return number
+
+    def _isolated(self, equation: Equation, guess: Fraction) -> tuple[Fraction, Fraction]:
         """Return two numbers between which the true one lies, and know the extremes between them."""
-        guess = self.first_guess()
         width = guess * NEAR
         for _ in range(FARTHER):
             ends = guess - width, guess + width
-            with at_bits(ISOLATING_BITS):
-                self._found = tuple(_stationary(self.squares(interval(*ends))))
-                below, above = (self.beyond(self.squares(ball(end))) for end in ends)
+            self._turnings = tuple(equation.squares(interval(*ends)).turnings())
+            below, above = (self._beyond(equation, ball(end)) for end in ends)
             if below < 0 and above > 0:
                 return ends
             width *= 16
         raise ProblemError("the speed at the dead centre is not settled; give slightly other numbers")
 
-    def _extremes(self, squares: Course, greatest: bool) -> list[tuple[arb, arb]]:
-        """Return the places where the speed may be greatest or least, and its squares there."""
-        sign, found = 1 if greatest else -1, []
-        for one in self._found:
-            if one.zero.rising is not greatest:
-                section = squares.around(one.middle)
-                at = one.zero.of(*_slopes(section)).place()
-                if not (at < section.start or at > section.end):
-                    found.append((at, section.function.at(at)))
-        return [one for one in found if not any(sign * one[1] < sign * other for _, other in found)]
+    def _beyond(self, equation: Equation, number: Any) -> Any:
+        return equation.beyond(equation.squares(number), self._turnings)
 
-    def _extreme(self, squares: Course, greatest: bool) -> arb:
-        found: Iterator[Numeric] = (one for _, one in self._extremes(squares, greatest))
-        return ball(reduce(larger if greatest else smaller, found))
+    def _solution(self) -> tuple[Any, Any]:
+        """Return the number and the squares of the speed."""
+        equation = self._equation()
+        number: Any = self._guess
+        if isinstance(self.turn, Turn):
+            number = crossing(lambda one: self._beyond(equation, one), self._low, self._high)
+        else:
+            number = equation.number(turnings=self._turnings) or number
+            self._turnings = equation.squares(number).turnings()
+        return number, equation.squares(number)
 
+    def _squares(self) -> Any:
+        return self._solved()[1]
 
-def _first(squares: Course) -> arb:
-    """The square at the dead centre, where the first section begins."""
-    return squares.sections[0].function.at(squares.sections[0].start)
+    @property
+    def number(self) -> Any:
+        if self.wheel.number is not None:
+            return self.turn.of(self.wheel.number)
+        share = self.first_omega / self.mean_omega
+        return self.at_mean * share * share
 
+    def speed(self, half_turns: Fraction) -> Any:
+        squares = self._squares()
+        return root(squares.at(half_turns) / squares.first)
 
-def _slopes(section: Section) -> tuple[Function, Function]:
-    """Return the slope of the squares over a section, and its own slope."""
-    return partial(section.function.at, order=1), partial(section.function.at, order=2)
+    def slowness(self) -> Any:
+        squares = self._squares()
+        return (squares * (1 / squares.first)).power(Fraction(-1, 2))
 
+    def extreme_place(self, greatest: bool) -> Any:
+        return self._squares().extreme(greatest, self._turnings)[0]
 
-def _stationary(squares: Course) -> Iterator[SpeedExtreme]:
-    """Yield where the speed is least or greatest, for all squares that the balls hold."""
-    for before, one in pairwise((squares.sections[-1], *squares.sections)):
-        if before.function.at(before.end, 1) * one.function.at(one.start, 1) < 0:
-            raise ProblemError("the speed turns in a dead centre; its extremes cannot be told apart")
-        more = (one.high - one.low) * BEYOND
-        for zero in isolate(*_slopes(one), one.low - more, one.high + more):
-            yield SpeedExtreme(one.function.middle, zero)
+    def extreme_speed(self, greatest: bool) -> Any:
+        squares = self._squares()
+        return root(squares.extreme(greatest, self._turnings)[1] / squares.first)
 
+    def sensitivity(self, key: str, value: float, swing: float) -> float:
+        """The same; what lags behind the work is off by as much again."""
+        return super().sensitivity(key, value, swing * (1 + (self.wheel.resistance == SQUARE)))
 
-class HeavyRun(SolvedRun):
-    """A turn with moving masses against a constant torque."""
+    def place_error(self, greatest: bool, stroke: int | None) -> float:
+        return super().place_error(greatest, stroke) + FLAT
 
-    def first_guess(self) -> Fraction:
-        with at_bits(ISOLATING_BITS):
-            works, moved = (_sampled(one, Fraction(0)) for one in self.energies())
-            half, _ = map(float, self.level(arb(1)))
-            first = float(self.turn.kinetic_energy_begun())
-        return Fraction(SampledRun(works, moved, half, first, self.wheel.number is not None).start(self, 0.0))
-
-    def squares(self, number: arb) -> Course:
-        half, energy = self.level(number)
-        works, moved = self.energies()
-        return (moved + half).power(Fraction(-1)) * (works + energy)
-
-    def level(self, number: arb) -> tuple[arb, arb]:
-        """Return ½ I and E of a number."""
-        before, mean = ball(self.turn.kinetic_energy_begun()), abs(ball(self.turn.mean_force()))
-        if self.wheel.number is None:
-            half = ball(self.at_mean) * mean / 2
-            return half, (half + before) * number
-        first = ball(self.turn.of(self.wheel.number)) * mean / 2
-        return first / number, first + before * number
-
-
-class SquareRun(SolvedRun):
-    """A turn against the square of the speed, without moving masses."""
-
-    def first_guess(self) -> Fraction:
-        with at_bits(ISOLATING_BITS):
-            excess = self.excess()
-            first = excess.lows[0]
-            works = _sampled(excess, first)
-            weight = float(self.at_mean) if self.wheel.number is None else float(self.wheel.number)
-
-        def weight_of(lag: float) -> float | None:
-            """What the flywheel would be, by its number or its inertia, None where it comes to rest."""
-            level = _level(works, lag)
-            mean = mean_of(level)
-            if mean is None:
-                return None
-            return 2 * (level[0] if self.wheel.number is not None else mean * mean)
-
-        def solved(factor: float) -> float | None:
-            return hit(weight_of, factor * weight, MOST_LAG)
-
-        lag = solved(1.0)
-        if lag is not None and lag < LEAST_LAG:
-            factor = known(weight_of(LEAST_LAG))
-            least = above(given_of(self.wheel) * factor / weight)
-            raise ProblemError(
-                f"{self.wheel.named} is too light: the speed follows the torque at every angle, as if there"
-                f" were none; {self.wheel.letter} must be above {least}{self.wheel.unit}"
-            )
-        if lag is None:
-            factor = least_factor(solved)
-            level = _level(works, solved(factor) or MOST_LAG)
-            place = 360 * level.index(min(level)) / SAMPLES + 180 * float(first)
-            self.refuse(place, given_of(self.wheel) * factor)
-        return Fraction(lag)
-
-    def excess(self) -> Course:
-        """Return w over the cycle."""
-        return self.energies()[0] * (1 / ball(self.turn.mean_force()))
-
-    def squares(self, number: arb) -> Course:
-        unit = ball(self.at_mean if self.wheel.number is None else self.turn.of(self.wheel.number))
-        excess = self.excess()
-        return (excess + self._lagging(excess, arb.pi() / number) + number) * (2 / unit)
-
-    def beyond(self, squares: Course) -> arb:
-        """The same or, of a flywheel known by its number, the square at the dead centre above 1."""
-        return super().beyond(squares) if self.wheel.number is None else _first(squares) - 1
-
-    def _lagging(self, excess: Course, rate: arb) -> Course:
-        """Return y, of which a π is the rate: on each section it is (c - a π ∫ w e^(aθ)) e^(-aθ)."""
-        growing = excess.mapped(lambda one: exponential(one, rate))
-        parts = (excess * growing).mapped(Taylor.sum) * -rate
-        decaying = excess.mapped(lambda one: exponential(one, -rate))
-        begun, found = arb(0), []
-        for part, decay in zip(parts.sections, decaying.sections, strict=True):
-            begun = _ended(part, decay, begun, rate)[1]
-        begun /= 1 - (-rate * self.turn.cycle).exp()
-        for part, decay in zip(parts.sections, decaying.sections, strict=True):
-            constant, begun = _ended(part, decay, begun, rate)
-            found.append(part._replace(function=(part.function + constant) * decay.function))
-        return Course(found, self.turn.cycle)
-
-
-def _ended(part: Section, decay: Section, begun: arb, rate: arb) -> tuple[arb, arb]:
-    """Return c of a section at whose start y is such, and y at its end."""
-    away = part.start - ball(part.function.middle)
-    constant = begun * (rate * away).exp() - part.function.at(part.start)
-    return constant, (part.function.at(part.end) + constant) * decay.function.at(part.end)
-
-
-def _sampled(course: Course, start: Fraction) -> list[float]:
-    steps = range(course.cycle // 2 * SAMPLES)
-    return [float(course.at(start + Fraction(2 * step, SAMPLES))) for step in steps]
-
-
-def _level(works: Sequence[float], lag: float) -> list[float]:
-    """h at all samples, of a = 1/lag."""
-    step = 2 * pi / SAMPLES
-    kept = exp(-step / lag)
-    # y over a step in which w goes in a straight line.
-    left, right = _weights(step / lag)
-    gains = [-(left * one + right * other) for one, other in pairwise([*works, works[0]])]
-    total = 0.0
-    for gain in gains:
-        total = kept * total + gain
-    first = total / (1 - kept ** len(works))
-    level = []
-    for work, gain in zip(works, gains, strict=True):
-        level.append(lag + work + first)
-        first = kept * first + gain
-    return level
-
-
-def _weights(share: float) -> tuple[float, float]:
-    """The weights of w at both ends of a step, ∫ e^(t - share) dt over it times a straight line."""
-    if share < 1e-3:
-        return share / 2 - share * share / 3, share / 2 - share * share / 6
-    end = (1 - exp(-share)) / share
-    return end - exp(-share), 1 - end
-
-
-@lru_cache(KEPT)
-def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
-    """Return the engine's run with the flywheel; the latest ones are kept."""
-    if wheel.resistance == SQUARE:
-        return _against_square(turn, wheel)
-    if any(part.crank.moving is not None for part in turn.engine.parts):
-        if isinstance(turn, Turn):
-            return HeavyRun(turn, wheel)
-        from kurbel.engine.card.force import CardTurn
-        from kurbel.engine.speed.card import HeavyCardRun
-
-        assert isinstance(turn, CardTurn)
-        return HeavyCardRun(turn, wheel)
-    if turn.engine.carded:
-        from kurbel.engine.speed.card import CardRun
-
-        return CardRun(turn, wheel)
-    return Run(turn, wheel)
-
-
-def _against_square(turn: AnyTurn, wheel: Wheel) -> AnyRun:
-    """Return the run against the square of the speed. Raises ProblemError where that is not computed."""
-    moving = any(part.crank.moving is not None for part in turn.engine.parts)
-    for unknown, instead in (
-        (not isinstance(turn, Turn), "of an indicator card"),
-        (moving, "with moving masses"),
-        (turn.method == "weisbach", "by Weisbach's method"),
-        (turn.mean_sign <= 0, "of a driven machine"),
-    ):
-        if unknown:
-            raise ProblemError(
-                f"the speed {instead} is computed against a constant torque; leave --resistance out"
-            )
-    assert isinstance(turn, Turn)
-    return SquareRun(turn, wheel)
+    def acceleration(self, half_turns: Fraction) -> Any:
+        """Return the angular acceleration dω/dt in 1/s², half the slope of ω², from that of the energy."""
+        turn, equation, (number, squares) = self.turn, self._equation(), self._solved()
+        square, half = squares.at(half_turns), equation.wheel_energy(number)
+        standing = turn.positions(half_turns)
+        steam = sum(turn.cylinders[part].still.power(*one) for part, *one in standing)
+        resistance = half * square / number if equation.square else turn.mean_force()
+        slope = steam - resistance - square * (steam - turn.power(half_turns))
+        share = slope / (2 * (half + equation.energies.at(half_turns)) * squares.first)
+        return share * self.first_omega * self.first_omega

@@ -17,8 +17,7 @@ from kurbel.engine.digits import CellValue, printed
 from kurbel.engine.engine_page import IRREGULARITY, TURNING
 from kurbel.engine.engine_quantities import EXTREMES, Needs, engine_registry, row
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.speed.run import Run
-from kurbel.engine.speed.solved import run_of
+from kurbel.engine.speed.run import Run, run_of
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import Place
