@@ -148,7 +148,21 @@ def style(more: Mapping[RcKeyType, object] = MappingProxyType({})) -> Iterator[N
         defaults = matplotlib.rcParamsDefault
         matplotlib.rcParams.update({name: defaults[name] for name in defaults if name not in _PROCESS})
         matplotlib.rcParams.update({**STYLE, **more})
+        with _own_fonts():
+            yield
+
+
+@contextmanager
+def _own_fonts() -> Iterator[None]:
+    """Have matplotlib look for fonts among those that it brings along, not among all of the machine."""
+    from matplotlib import font_manager, get_data_path
+
+    manager, every = font_manager.fontManager, font_manager.fontManager.ttflist
+    manager.ttflist = [font for font in every if font.fname.startswith(get_data_path())]
+    try:
         yield
+    finally:
+        manager.ttflist = every
 
 
 def _without_notes() -> None:
