@@ -12,8 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from kurbel.engine.loads.ideal import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.bulk import broadcast_shape, in_blocks
-from kurbel.kernel.half_tangent import load
-from kurbel.kernel.irregularity import BY_LOOPS, BY_NUMPY, METHODS, Arithmetic
+from kurbel.kernel.irregularity import METHODS, TWO_OVER_PI, by_loops, by_numpy, load
 from kurbel.kernel.loops import pays
 from kurbel.reading.given import as_ratio_array, choose
 from kurbel.reading.names import checks_keywords
@@ -23,9 +22,9 @@ Reader: TypeAlias = Callable[[slice], Floats]
 
 ALWAYS = ("eps", "ratio")
 # An engine takes NumPy as long as so many cells of a table of the motion.
-CELLS = 6
-# Of the work left, in units of what is done and taken: where less is left balls decide.
-NEAR = 1e-9
+CELLS = 12
+# Of the work done and taken, in units of what is left: beyond it balls decide.
+LARGEST_STRAIN = 1e9
 # By what share a float can be off where all work is left, and by what for the rounding of its inputs.
 UNITS, ROUNDED = 8e-15, 3e-16
 
@@ -101,7 +100,7 @@ def compute_delta(
     Bulk: on all cores, memory bounded by the output and a fixed block a core; by numba, where it is
     installed, once there is so much to do that this pays, with the same bits: `fast` True takes it at once,
     False never. Without clearance and exponent the relative error is at most 2e-15 (1 + εb/N) with
-    N = 1 + ln ε - εb, and 2e-15 for the default b, up to ε = 10^12; with them it is at most
+    N = 1 + ln ε - εb, and 2e-15 for the default b; with them it is at most
     4e-15 (S + b)/(S - b), S being the mean pressure of the steam over the stroke, in units of Q.
     Valid for ε >= 1, 0 <= R:L < 1, 0 <= b <= 1, 0 <= κ <= 10, 0 < n <= 10 and a mean force P above 0, which
     is (2/π)(N/ε) Q without clearance and exponent. Raises KurbelError.
@@ -126,14 +125,13 @@ def compute_delta(
     shape = broadcast_shape(given)
     out = np.empty(shape)
     readers = {name: _reader(values, shape) for name, values in given.items()}
-    by = _arithmetic(method, out.size, fast)
+    by = by_loops if pays(f"δ {method}", CELLS * out.size, fast) else by_numpy
 
     def fill(block: slice) -> None:
         numbers = {name: read(block) for name, read in readers.items()}
-        crank = numbers.pop("ratio")
-        forces = load(numbers.pop("eps"), **numbers)
+        crank, forces = numbers.pop("ratio"), load(numbers.pop("eps"), **numbers)
         _check_mean(forces.mean, block.start, shape)
-        out.reshape(-1)[block] = formula(crank, forces, by)
+        out.reshape(-1)[block] = formula(by, crank, forces)
 
     in_blocks(fill, out.size)
     return out if shape else float(out)
@@ -148,9 +146,15 @@ def enclosed_delta(
     nowhere other than where nothing is told of them. Both are no numbers where an input is not valid, or so
     little work is left that balls must decide.
     """
+    clearance, exponent = given["clearance"], given["exponent"]
     with np.errstate(all="ignore"):
-        done, taken, stretch = _work(given)
-        good = _valid(given) & (done - taken > NEAR * (done + taken))
+        forces = load(given["eps"], given["back"], clearance, exponent)
+        # The pressures of the steam and against it, added up, for what the first is above the second.
+        strain = 1 + 2 * TWO_OVER_PI * forces.back / forces.mean
+        good = (forces.mean > 0) & (strain < LARGEST_STRAIN) & (given["eps"] <= LARGEST_EXPANSION)
+        good &= (exponent == 1) | (np.abs(exponent - 1) > float(2 * LEAST_CURVE))
+        for name, one in given.items():
+            good &= True if one is None else _within(one, name)
     found = np.full(len(good), np.nan)
     if good.any():
         own: dict[str, Any] = {
@@ -158,53 +162,18 @@ def enclosed_delta(
         }
         found[good] = compute_delta(**own, method=method)
     with np.errstate(all="ignore"):
-        share = (UNITS + ROUNDED * stretch) * (1 + (done + taken) / (done - taken))
-        return found, np.where(good, (share + ROUNDED / np.sqrt(1 - given["ratio"])) * found, np.nan)
-
-
-def _work(given: Mapping[str, Any]) -> tuple[Floats, Floats, Floats]:
-    """Return the mean pressures of the steam and against it, in units of that before cut-off, and by how much
-    the rounding of the inputs counts in the first one."""
-    clearance, exponent = given["clearance"], given["exponent"]
-    cut = 1 / given["eps"] + clearance
-    stretch = np.log((1 + clearance) / cut)
-    bent = (1 - exponent) * stretch
-    # Of n = 1 the integral of the power is the logarithm.
-    curve = np.where(bent == 0, 1, np.expm1(bent) / np.where(bent == 0, 1, bent))
-    done = 1 / given["eps"] + cut * stretch * curve
-    best = np.exp(-exponent * stretch)
-    return done, best if given["back"] is None else given["back"], exponent * stretch
-
-
-def _valid(given: Mapping[str, Any]) -> NDArray[np.bool_]:
-    """Return where every input is one that an engine takes."""
-    eps, ratio, clearance, exponent = (given[name] for name in ("eps", "ratio", "clearance", "exponent"))
-    good: NDArray[np.bool_] = (eps >= 1) & (eps <= LARGEST_EXPANSION) & (ratio >= 0) & (ratio < 1)
-    good &= (
-        (clearance >= 0) & (clearance <= LARGEST_CLEARANCE) & (exponent > 0) & (exponent <= LARGEST_EXPONENT)
-    )
-    good &= (exponent == 1) | (np.abs(exponent - 1) > float(2 * LEAST_CURVE))
-    if given["back"] is not None:
-        good &= (given["back"] >= 0) & (given["back"] <= 1)
-    return good
-
-
-def _arithmetic(method: str, size: int, fast: bool | None) -> Arithmetic:
-    """Return what computes so many engines."""
-    if method != "weisbach" and pays(f"δ {method}", CELLS * size, fast):
-        return BY_LOOPS
-    return BY_NUMPY
+        stretch = exponent * np.log((1 + clearance) / (1 / given["eps"] + clearance))
+        share = (UNITS + ROUNDED * stretch) * (1 + strain) + ROUNDED / (1 - given["ratio"])
+        return found, np.where(good, share * found, np.nan)
 
 
 def _reader(values: Floats, shape: tuple[int, ...]) -> Reader:
     """Return what gives a slice of the values, broadcast to the shape and counted in one row."""
     if values.size == 1:
         return lambda block: values.reshape(1)
-    if values.shape == shape and values.flags.c_contiguous:
-        return values.reshape(-1).__getitem__
-    # A slice of the flat iterator is a copy of that slice alone.
     spread = np.broadcast_to(values, shape)
-    return lambda block: spread.flat[block]
+    # A slice of the flat iterator is a copy of that slice alone.
+    return (spread.reshape(-1) if spread.flags.c_contiguous else spread.flat).__getitem__
 
 
 def _numbers(given: ArrayLike, name: str) -> Floats:
@@ -223,12 +192,18 @@ def _numbers(given: ArrayLike, name: str) -> Floats:
 def _checked(given: ArrayLike, name: str) -> Floats:
     """Return the numbers of this name if all lie between their limits."""
     values = _numbers(given, name)
-    least, below, why = LIMITS[name]
     # Extremes make no array. NaN, if there is one, is both of them, and no comparison holds.
-    if values.size and not (values.min() >= least and values.max() < below):
-        first = int(((values >= least) & (values < below)).argmin())
+    if values.size and not (_within(values.min(), name) and _within(values.max(), name)):
+        first = int(_within(values, name).argmin())
+        why = LIMITS[name][2]
         raise ProblemError(f"{name}{_index(first, values.shape)} is {values.flat[first]:.15g}; {why}")
     return values
+
+
+def _within(values: Any, name: str) -> Any:
+    """Return where the numbers of this name lie between their limits."""
+    least, below, _ = LIMITS[name]
+    return (values >= least) & (values < below)
 
 
 def _check_mean(mean: Floats, start: int, shape: tuple[int, ...]) -> None:

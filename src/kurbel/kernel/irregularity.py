@@ -1,335 +1,315 @@
-"""Irregularity of the double-acting engine with one crank: extreme speeds and δ, for arrays.
+"""Irregularity δ of the double-acting engine with one crank, for arrays: extreme speeds and the work between.
 
-Angles, paths and forces count as in half_tangent.py, work is in their units times r.
+All counts from the outer dead centre: the crank angle β, forward on the return stroke and backward on the
+outstroke, and the share of the stroke. Unknown is τ, the tangent of half an angle: a step to a root takes
++ - * / and a square root. Forces are in units of the pressure of the steam at the end of the stroke, Q/ε for
+Mariotte's law without clearance, volumes in units of that at the end, work in units of this force times r.
 
 Two angles are enough. At any place of its stroke the piston of the outstroke has turned the crank by less
 than that of the return stroke; as the excess work is a function of the place, less P times the angle, the
-maximum is the outstroke's and the minimum the return stroke's. Work is stationary at the roots T, so that
-1e-8 of T is as good as all digits.
+maximum is the outstroke's and the minimum the return stroke's. Work is stationary at both, so that 1e-8 of τ
+is as good as all digits.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache, partial
-from math import inf
+from functools import cache, partial
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kurbel.kernel.half_tangent import (
-    TWO_OVER_PI,
-    ExactMotion,
-    FirstOrderMotion,
-    Floats,
-    Load,
-    Motion,
-    Place,
-    Relation,
-    WeisbachRelation,
-    work_left,
-)
+from kurbel.kernel.circle import root
 from kurbel.kernel.loops import compiled, written_formula
-from kurbel.kernel.trace import Traced
 
-# A step that changes T by this share leaves less than 1e-8 of it to be found.
+Floats: TypeAlias = NDArray[np.float64]
+
+TWO_OVER_PI = 0.6366197723675814
+# Steps for all engines; for a few in a thousand; where λ is within 1e-9 of 1 and the steam expands steeply.
+STEPS, MORE_STEPS, MOST_STEPS = 4, 12, 200
+# A last step of this share of τ leaves less than 1e-8 of it to be found.
 SETTLED = 1e-4
-# Ten are enough; within 1e-11 of the back pressure that stops the engine rounding never settles, nor matters.
-MOST_STEPS = 60
-# To a sixteenth of T or sixteen times T; where the slope is next to nothing, for λ near 1, steps go too far.
+# Of ln τ, halved: to a quarter of τ or four times τ.
 LONGEST_STEP = 0.6
-# A third of T, where the force is no straight line.
-SHORT_STEP = 0.1
-# Of the first guess of T: nearer to nothing no search begins.
-LEAST_SHARE = 1e-9
+# A dead centre, nearly.
+NEAR: Any = 1e-10
 
 
-class Extremes(NamedTuple):
-    """Where the speed is greatest, on the outstroke, and where it is least."""
+class Load(NamedTuple):
+    """What acts on the piston: ε, the back pressure, the steam before the cut-off less that, the mean
+    tangential force P, half the work that steam admitted to the end of a stroke would do beyond this, the
+    volumes left at the inner dead centre and swept, and n of p V^n = const, None for 1 everywhere."""
 
-    falling: Place
-    rising: Place
-    beyond: Floats
-    """By how much T is greater than before the cut-off."""
-    restless: Floats
-    """Not above 0 where the greatest speed has settled."""
-
-
-class Arithmetic(NamedTuple):
-    """What computes: NumPy, operation by operation, or the same formulas in one loop over the engines."""
-
-    extremes: Callable[[type[Motion], Floats, Load], Extremes]
-    irregularity: Callable[..., Floats]
+    expansion: Floats
+    back: Floats | float
+    net: Floats
+    mean: Floats
+    forgone: Floats
+    dead: Floats | float
+    swept: Floats | float
+    exponent: Floats | None = None
 
 
-def extremes(kind: type[Motion], ratio: Floats, load: Load) -> Extremes:
-    """Return where the speed is greatest and least, of nearly all engines settled."""
-    motion = kind(ratio)
-    least = motion.least(load.mean / load.net)
-    balanced, before, beyond = _approach(motion, load)
-    change, most = beyond - before, _bounded(motion, load, balanced + beyond)
-    restless = change * change - (SETTLED * before) ** 2
-    # Before the cut-off the greatest speed is where the velocity is that of the least one, so at the same
-    # T; the force of steam that expands would be above P there.
-    falling, rising = motion.place(np.maximum(most, least)), motion.place(least)
-    return Extremes(falling, rising, most - least, restless)
+def load(
+    expansion: Floats,
+    back: Floats | None = None,
+    clearance: Floats | float = 0.0,
+    exponent: Floats | None = None,
+) -> Load:
+    """Return the forces for ε, the back pressure b = R/Q, the clearance κ as a share of the stroke and n.
 
-
-def _approach(relation: Relation, load: Load) -> tuple[Floats, Floats, Floats]:
-    """Return T where steam and back pressure balance, and T less that before and after the last step."""
-    balanced = relation.balanced(load)
-    before = beyond = _begun(relation, load, balanced)
-    for _ in range(relation.steps):
-        before, beyond = beyond, _nearer(relation, load, balanced, beyond)
-    return balanced, before, beyond
-
-
-def _begun(relation: Relation, load: Load, balanced: Floats) -> Floats:
-    near = relation.near(load, balanced)
-    if load.plain or isinstance(relation, WeisbachRelation):
-        return near
-    # Not before the cut-off, where the force of steam that expands may have other roots.
-    return np.minimum(near, np.maximum(relation.at(load.expansion - 1) - balanced, LEAST_SHARE * near))
-
-
-def _bounded(motion: Motion, load: Load, most: Floats) -> Floats:
-    """Return T, but none before the cut-off where that could be another root."""
-    return most if load.plain else np.minimum(most, motion.at(load.expansion - 1))
-
-
-def greatest(relation: Relation, load: Load) -> Floats:
-    """Return the one T at which the force of the expanding steam is its mean, on the way to the end."""
-    balanced, before, beyond = _approach(relation, load)
-    left = np.flatnonzero(~(abs(beyond - before) <= SETTLED * before))
-    if left.size:
-        few, forces = _few(type(relation), relation.ratio, load, left, beyond.shape)
-        resting = np.broadcast_to(balanced, beyond.shape)[left]
-        beyond[left] = _settled(partial(_nearer, few, forces, resting), beyond[left])
-    return balanced + beyond
-
-
-def _few(
-    kind: Callable[[Floats], Any], ratio: Floats, load: Load, left: NDArray[np.int64], shape: tuple[int, ...]
-) -> tuple[Any, Load]:
-    """Return the relation and the forces of these engines alone."""
-
-    def those(number: Any) -> Any:
-        alike = number is None or isinstance(number, float)
-        return number if alike else np.broadcast_to(number, shape)[left]
-
-    return kind(those(ratio)), Load(*map(those, load))
-
-
-def _settled(step: Callable[[Floats], Floats], beyond: Floats) -> Floats:
-    """Return T - balanced at the roots of the few that need more steps: without back pressure, λ near 1."""
-    moving = np.ones(beyond.shape, bool)
-    for _ in range(MOST_STEPS):
-        # Who has settled stays: no value may depend on those computed beside it.
-        nearer = np.where(moving, step(beyond), beyond)
-        moving &= abs(nearer - beyond) > SETTLED * beyond
-        beyond = nearer
-        if not moving.any():
-            break
-    return beyond
-
-
-def _nearer(relation: Relation, load: Load, balanced: Floats, beyond: Floats) -> Floats:
-    """Return T - balanced nearer to the root.
-
-    Newton's step for ln(force/mean) on ln √(T - balanced), which is nearly straight. The logarithm is
-    2(force - mean)/(force + mean), and e^-2x is (1 - x)/(1 + x), both exact to third order.
+    None for b is the best one, for n 1. Source: Weisbach-Herrmann, § 150, P = (2/π)(1 + ln ε - εb) Q/ε;
+    clearance and exponent re-derived.
     """
-    slope, above = _height(relation, load, balanced + beyond, beyond)
-    step = np.minimum(np.maximum(above / slope, -LONGEST_STEP), LONGEST_STEP)
-    if not load.plain:
-        # With clearance, or where steam expands slowly, there is a greatest force, and a root beyond it.
-        step = np.where(slope > 0, step, LONGEST_STEP)
-    factor = (1 - step) / (1 + step)
-    return beyond * (factor * factor)
+    # The steam grows to 1 + growth times its volume at cut-off, the pressure falls from 1 + rise to 1.
+    growth = (expansion - 1) / (1 + clearance * expansion)
+    logarithm = np.log1p(growth)
+    rise = growth if exponent is None else np.expm1(exponent * logarithm)
+    gain = logarithm if exponent is None else exponent * risen(logarithm, exponent)
+    whole = 1 + clearance
+    # Nothing but b takes digits away: this is a sum of what vanishes where nothing expands.
+    best, forgone = whole * gain - clearance * rise, whole * (rise - gain)
+    loss = 1.0 if back is None else (1 + rise) * back
+    net = rise if back is None else (1 + rise) * (1 - back)
+    mean = TWO_OVER_PI * (best + (1 - loss))
+    return Load(expansion, loss, net, mean, forgone, clearance / whole, 1 / whole, exponent)
 
 
-def _later(motion: Motion, load: Load, tangent: Floats) -> Floats:
-    """Return T nearer to where the force rises to its mean, from before it.
+def risen(logarithm: Floats, exponent: Floats) -> Floats:
+    """Return the work (V^(1-n) - 1)/(n - 1) for -ln V, which is this itself for n = 1."""
+    curve = (exponent - 1) * logarithm
+    straight = curve == 0
+    return logarithm * np.where(straight, 1.0, np.expm1(curve) / np.where(straight, 1.0, curve))
 
-    Beyond the cut-off the force may fall at first, and beyond the root it falls again: steps are short.
+
+def work_left(share: Floats, rest: Floats, load: Load) -> Floats:
+    """Return half the work of the steam that expands while the piston has a share of the stroke to go."""
+    # By the share that the volume has still to grow both small and large ones keep their digits.
+    logarithm = np.log1p(load.swept * share / (load.dead + load.swept * rest))
+    return (logarithm if load.exponent is None else risen(logarithm, load.exponent)) / load.swept
+
+
+class Place(NamedTuple):
+    """Where the piston is: tan β/2, the shares of the stroke to the outer dead centre and to the inner one,
+    the velocity, and by ln τ the slopes of its logarithm and of the share."""
+
+    angle: Floats
+    share: Floats
+    rest: Floats
+    velocity: Floats
+    rise: Floats
+    slope: Floats
+
+
+def first_order(ratio: Floats, tangent: Floats) -> Place:
+    """Return the place at τ = tan β/2 by first-order kinematics; -λ exchanges the strokes.
+
+    Source: Weisbach-Herrmann, § 150, s = 1 - cos α ∓ ½ λ sin² α.
     """
-    slope, above = _height(motion, load, tangent, tangent)
-    # Where the force falls, it is below its mean before the root and above it beyond.
-    falling = np.copysign(inf, above)
-    step = np.where(slope > 0, above / slope, falling)
-    step = np.minimum(np.maximum(step, -SHORT_STEP), SHORT_STEP)
-    factor = (1 - step) / (1 + step)
-    return tangent * (factor * factor)
+    half = 1 / (1 + tangent * tangent)
+    other = tangent * tangent * half
+    rod, square = (1 - ratio) + 2 * ratio * other, 4 * (half * other)
+    return Place(
+        tangent,
+        other * ((1 - ratio) + ratio * other),
+        half * (1 + ratio * other),
+        2 * tangent * half * rod,
+        (half - other) + ratio * square / rod,
+        square * rod / 2,
+    )
 
 
-def _height(relation: Relation, load: Load, tangent: Floats, beyond: Floats) -> tuple[Floats, Floats]:
-    """Return the slope of the force on ln √(T - balanced) and how far it is above its mean."""
-    pull = relation.pull(tangent, load)
-    slope = pull.growth * beyond * (pull.force + pull.mean)
-    return slope, tangent * pull.margin * (pull.force - pull.mean)
+def exact(ratio: Floats, tangent: Floats) -> Place:
+    """Return the place at τ = tan θ/2, cos θ = cos β/cos ψ.
 
-
-def excess(share: Floats, angle: Floats, left: Floats, load: Load, expanding: Floats) -> Floats:
-    """Return the excess work of the outstroke at a place, the steam expanding where that is above 0.
-
-    Zero at the dead centres; `left` is the work left to the steam that expands. Source: Weisbach-Herrmann,
-    § 150, with 1 + ln ε = πP/2 + b put in.
+    Re-derived: in θ the velocity is sin θ √((1 - λ cos θ)/(1 + λ cos θ)), and nothing is steep where λ is
+    near 1. tan² β/2 is by the law of cosines.
     """
-    # Counted from the end of the stroke, the work has no large terms to cancel.
-    expanded = load.back * share - left
-    full = load.forgone - load.net * share
-    return load.mean * angle + 2 * np.where(expanding > 0, expanded, full)
+    half = 1 / (1 + tangent * tangent)
+    other = tangent * tangent * half
+    short, height = 1 - ratio, root((1 - ratio) * (1 + ratio))
+    far, close = short + 2 * ratio * half, short + 2 * ratio * other
+    less, square, slope = 1 / (far * close), 4 * (half * other), height / (1 + ratio)
+    rod = close * root(less)
+    share, rest = 2 * other * slope / (far * (slope + rod)), 2 * half / (far * (1 + slope * rod))
+    return Place(
+        root(share * (1 + ratio * share) / (rest * (short + ratio * share))),
+        share,
+        rest,
+        2 * tangent * half * rod,
+        (half - other) + ratio * square * less,
+        square * height * rod * less / 2,
+    )
 
 
-def deficit(share: Floats, angle: Floats, load: Load) -> Floats:
-    """Return the excess work of the return stroke before the cut-off, with its sign changed."""
-    return load.mean * angle - 2 * (load.net * share)
+def expanding(_: Floats, __: Floats, place: Place, load: Load) -> tuple[Floats, Floats]:
+    """Return the pressure of the expanding steam on the outstroke, and the slope of its logarithm on ln τ."""
+    less = 1 / (load.dead + load.swept * place.rest)
+    slope = load.swept * place.slope * less
+    return (less, slope) if load.exponent is None else (less**load.exponent, load.exponent * slope)
 
 
-def irregularity(
-    load: Load,
-    expanding: Floats,
-    share: Floats,
-    angle: Floats,
-    least_share: Floats,
-    least_angle: Floats,
-    left: Floats,
+def of_weisbach(ratio: Floats, tangent: Floats, place: Place, _: Load) -> tuple[Floats, Floats]:
+    """Return what stands for this pressure in Weisbach's equation for cotg(α₂/2), and the slope.
+
+    λ is in place of λ/(1 + λ cos²(α₂/2)). Source: Weisbach-Herrmann, § 150.
+    """
+    half = 1 / (1 + tangent * tangent)
+    rod = 1 - ratio * half
+    return 2 * tangent * rod / place.velocity, 1 + 2 * ratio * half * (1 - half) / rod - place.rise
+
+
+Motion: TypeAlias = Callable[[Floats, Floats], Place]
+
+
+class Kind(NamedTuple):
+    """A motion, and the steam that expands in it."""
+
+    place: Motion
+    steam: Callable[[Floats, Floats, Place, Load], tuple[Floats, Floats]] = expanding
+
+
+def extremes(kind: Kind, ratio: Floats, load: Load, steps: int = STEPS) -> Sequence[Floats]:
+    """Return what is not above 0 where both extreme speeds have settled; τ, tan β/2 and both shares of the
+    least one, on the return stroke before the cut-off; the last three of the greatest one, on the outstroke.
+    """
+    wanted = load.mean / load.net
+    # Nearly, the velocity is 2τ √(τ² + (its slope)²).
+    square = (kind.place(ratio, NEAR).velocity / (2 * NEAR)) ** 2
+    least = wanted / root(2 * (square + root(square * square + wanted * wanted)))
+    most = _farther(kind.place, ratio, np.maximum(least, NEAR), load)
+    for _ in range(steps):
+        # Both in turn: their operations do not wait for each other.
+        before = least, most
+        place = kind.place(ratio, least)
+        least = _nearer(least, place, (1 / wanted, 0.0), 1.0, 0.0)
+        place = kind.place(ratio, most)
+        most = _nearer(most, place, kind.steam(ratio, most, place, load), load.mean, load.back)
+    change = [np.abs(one - last) - SETTLED * last for one, last in zip((least, most), before, strict=True)]
+    rising = kind.place(ratio, least)
+    # Before the cut-off the greatest speed is where the velocity is that of the least one, so at the same τ.
+    is_expanding = rising.rest * load.expansion > 1
+    falling = kind.place(ratio, np.where(is_expanding, most, least))
+    restless = np.maximum(change[0], np.where(is_expanding, change[1], -1.0))
+    return [restless, least, *rising[:3], *falling[:3]]
+
+
+def _farther(place: Motion, ratio: Floats, tangent: Floats, load: Load) -> Floats:
+    """Return τ of the greatest speed, nearly, from one before it: z times this, at most to the cut-off."""
+    at = place(ratio, tangent)
+    share = at.share / at.rest
+    rise = load.swept * share if load.exponent is None else load.exponent * load.swept * share
+    # The velocity goes with z, the pressure is nearly 1 + z² rise, so that z³ + excess z = force. The cube
+    # root is near the power 5/16.
+    force, excess = load.mean / at.velocity / rise, (1 - load.back) / rise
+    fourth = root(root(force))
+    third = fourth * root(root(fourth))
+    times = force / (third * third + np.maximum(excess, 0)) + root(np.maximum(-excess, 0))
+    return tangent * np.maximum(np.minimum(times, root(load.expansion - 1) / root(share)), 1)
+
+
+def _nearer(
+    tangent: Floats, place: Place, steam: tuple[Any, Any], mean: Any, back: Any, is_late: bool = False
 ) -> Floats:
-    """Return δ from the shares and angles of both places and the work that is left at the greatest speed."""
-    gained = excess(share, angle, left, load, expanding)
-    return (gained + deficit(least_share, least_angle, load)) / load.mean
+    """Return τ nearer to where the force of the steam, a pressure and its slope, rises to its mean.
 
-
-def true_irregularity(kind: type[Motion], ratio: Floats, load: Load, by: Arithmetic) -> Floats:
-    """Return δ, in units of P r/(m₁ v₁²), from the true extremes of the excess work of a motion."""
-    falling, rising, beyond, restless = by.extremes(kind, ratio, load)
-    left = work_left(falling.share, load)
-    found = by.irregularity(load, beyond, falling.share, falling.angle, rising.share, rising.angle, left)
-    rare = ~(restless <= 0)
-    if not load.plain:
-        rare |= rising.share * load.expansion > 1
-    few = np.flatnonzero(rare)
-    if few.size:
-        found[few] = _rare(*_few(kind, ratio, load, few, found.shape))
-    return found
-
-
-def _rare(motion: Motion, load: Load) -> Floats:
-    """Return δ of engines that want more steps, or have their least speed when the cut-off is over."""
-    least = motion.least(load.mean / load.net)
-    most = _bounded(motion, load, greatest(motion, load))
-    falling, rising = motion.place(np.maximum(most, least)), motion.place(least)
-    lacking = deficit(rising.share, rising.angle, load)
-    late = np.flatnonzero(rising.share * load.expansion > 1)
-    if late.size and not load.plain:
-        few, forces = _few(type(motion), motion.ratio, load, late, least.shape)
-        lacking[late] = _late_deficit(few, forces, least[late])
-    gained = excess(falling.share, falling.angle, work_left(falling.share, load), load, most - least)
-    return (gained + lacking) / load.mean
-
-
-def _late_deficit(motion: Motion, load: Load, full: Floats) -> Floats:
-    """Return the deficit of the return stroke where steam that expands has its mean force again.
-
-    Full pressure would have it at T = full already.
+    Newton's step for the logarithm of pressure × velocity : (mean + back × velocity), which rises from τ = 0
+    on. Of such a ratio r the logarithm is 2(r - 1)/(r + 1), and e^2x is (1 + x)/(1 - x), nearly.
     """
-    # The return stroke begins where the volume is 1 - κ₁.
-    back = load._replace(dead=np.ones_like(full), swept=-load.swept)
-    place = motion.place(_settled(partial(_later, motion, back), full))
-    rest = 1 - place.share
-    done = load.mean / TWO_OVER_PI + load.back * rest - work_left(rest, load)
-    return load.mean * place.angle - 2 * done
+    pressure, slope = steam
+    pull, against = pressure * place.velocity, mean + back * place.velocity
+    rise, both = slope * against + place.rise * mean, pull + against
+    # Where it falls, the root lies behind; but ahead of a return stroke that is below its mean.
+    whole = both * np.maximum(rise, 1e-150)
+    lowest = whole if is_late else both * rise
+    step = np.minimum(np.maximum((pull - against) * against, -LONGEST_STEP * lowest), LONGEST_STEP * whole)
+    return tangent * ((whole - step) / (whole + step))
 
 
-def weisbach(ratio: Floats, load: Load, _: Arithmetic) -> Floats:
+Search: TypeAlias = Callable[[Kind, Floats, Load], Floats]
+
+
+def by_numpy(kind: Kind, ratio: Floats, load: Load, steps: int = STEPS) -> Floats:
+    """Return what `extremes` returns as rows."""
+    return np.array(extremes(kind, ratio, load, steps))
+
+
+def by_loops(kind: Kind, ratio: Floats, load: Load) -> Floats:
+    """Return the rows by numba, with the same bits; powers are those of NumPy."""
+    if load.exponent is not None:
+        return by_numpy(kind, ratio, load)
+    rows = np.empty((8, load.mean.size))
+    given = (np.broadcast_to(one, load.mean.size) for one in (ratio, *load[:-1]))
+    _loop(kind)(np.empty(0), *(np.require(one, np.float64, ("C", "A")) for one in given), *rows)
+    return rows
+
+
+@cache
+def _loop(kind: Kind) -> Callable[..., None]:
+    def formula(ratio: Any, *forces: Any) -> Any:
+        return extremes(kind, ratio, Load(*forces))
+
+    return compiled(written_formula(formula, len(Load._fields)))
+
+
+def excess(kind: Kind, search: Search, ratio: Floats, load: Load) -> tuple[Floats, Floats]:
+    """Return the greatest excess work and the least one with its sign changed, in units of P r.
+
+    Zero at the outer dead centre. Source: Weisbach-Herrmann, § 150, with 1 + ln ε = πP/2 + b put in.
+    """
+    rows = search(kind, ratio, load)
+    for steps in (MORE_STEPS, MOST_STEPS):
+        few = np.flatnonzero(~(rows[0] <= 0))
+        if few.size:
+            rows[:, few] = by_numpy(kind, *_few(few, ratio, load), steps)
+    _, least, rising, admitted, _, falling, share, rest = rows
+    # Counted from the end of the stroke, the work of the steam that expands has no large terms to cancel.
+    expanded, full = load.back * share - work_left(share, rest, load), load.forgone - load.net * share
+    gained, lacking = np.where(rest * load.expansion > 1, expanded, full), -load.net * admitted
+    late = np.flatnonzero(admitted * load.expansion > 1)
+    if late.size:
+        rising[late], lacking[late] = _late(kind, least[late], *_few(late, ratio, load))
+    return 2 * (np.arctan(falling) + gained / load.mean), 2 * (np.arctan(rising) + lacking / load.mean)
+
+
+def _few(few: NDArray[np.int64], ratio: Floats, load: Load) -> tuple[Floats, Load]:
+    """Return the ratios and the forces of these engines alone."""
+    those: list[Any] = [
+        one if one is None else np.broadcast_to(one, load.mean.shape)[few] for one in (ratio, *load)
+    ]
+    return those[0], Load(*those[1:])
+
+
+def _late(kind: Kind, tangent: Floats, ratio: Floats, load: Load) -> tuple[Floats, Floats]:
+    """Return tan β/2 and the deficit of work, halved, where the speed is least after the cut-off: the steam
+    that expands has its mean force beyond the τ where full pressure would have it."""
+    for _ in range(MOST_STEPS):
+        place = kind.place(ratio, tangent)
+        back = place._replace(share=place.rest, rest=place.share, slope=-place.slope)
+        tangent = _nearer(tangent, place, expanding(ratio, tangent, back, load), load.mean, load.back, True)
+    place = kind.place(ratio, tangent)
+    left = work_left(place.rest, place.share, load) - load.back * place.rest
+    return place.angle, left - load.mean / TWO_OVER_PI
+
+
+def true_irregularity(place: Motion, search: Search, ratio: Floats, load: Load) -> Floats:
+    """Return δ, in units of P r/(m₁ v₁²), from the true extremes of the excess work of a motion."""
+    greatest, deficit = excess(Kind(place), search, ratio, load)
+    return greatest + deficit
+
+
+def weisbach(_: Search, ratio: Floats, load: Load) -> Floats:
     """Return δ for first-order kinematics at the angles of his equations, in units of P r/(m₁ v₁²)."""
-    # No true maxima, hence either stroke's may be the greater one.
-    velocity = load.mean / load.net
-    motions = FirstOrderMotion(ratio), FirstOrderMotion(-ratio)
-    least = motions[0].least(velocity)
-    tops = _related(motions[0], least, load), _related(motions[1], motions[1].least(velocity), load)
-    place = motions[0].place(least)
-    return (np.maximum(*tops) + deficit(place.share, place.angle, load)) / load.mean
+    # No true maxima, hence the angles count in full, and either stroke's may be the greater one.
+    kind, search = Kind(first_order, of_weisbach), partial(by_numpy, steps=MORE_STEPS)
+    one, other = (excess(kind, search, rod, load) for rod in (ratio, -ratio))
+    return np.maximum(one[0], other[0]) + one[1]
 
 
-def _related(motion: FirstOrderMotion, falling: Floats, load: Load) -> Floats:
-    """Return the excess work at his α₂, or before the cut-off at the falling root of his equation for α₁."""
-    beyond = motion.admitted(falling) * load.expansion > 1
-    chosen = np.where(beyond, greatest(WeisbachRelation(motion.ratio), load), falling)
-    place = motion.place(chosen)
-    left, expanding = work_left(place.share, load), motion.admitted(chosen) * load.expansion - 1
-    return excess(place.share, place.angle, left, load, expanding)
-
-
-BY_NUMPY = Arithmetic(extremes, irregularity)
-METHODS: Mapping[str, Callable[[Floats, Load, Arithmetic], Floats]] = {
-    "exact": partial(true_irregularity, ExactMotion),
-    "series": partial(true_irregularity, FirstOrderMotion),
+METHODS: Mapping[str, Callable[[Search, Floats, Load], Floats]] = {
+    "exact": partial(true_irregularity, exact),
+    "series": partial(true_irregularity, first_order),
     "weisbach": weisbach,
 }
-"""δ in units of P r/(m₁ v₁²) from λ and the forces, by method and what computes it."""
-
-
-Constants: TypeAlias = tuple[tuple[str, float], ...]
-
-# What the extremes ask of a load, and what δ does.
-FORCES = ("back", "net", "mean", "over", "dead", "swept", "bend")
-WORK = ("back", "net", "mean", "forgone")
-
-
-def extremes_in_loops(kind: type[Motion], ratio: Floats, load: Load) -> Extremes:
-    """Return what `extremes` returns, to the bit."""
-    if load.exponent is not None:
-        # Powers are those of NumPy.
-        return extremes(kind, ratio, load)
-    # Without clearance nothing asks where the cut-off is.
-    arrays, floats = _sorted(load, FORCES if load.plain else ("expansion", *FORCES))
-    motion: Any = kind
-    rows = _filled(_extremes_loop(motion, tuple(arrays), floats), 8, [ratio, *arrays.values()])
-    return Extremes(Place(*rows[:3]), Place(*rows[3:6]), *rows[6:])
-
-
-def irregularity_in_loops(load: Load, *given: Floats) -> Floats:
-    """Return what `irregularity` returns, to the bit."""
-    arrays, floats = _sorted(load, WORK)
-    return _filled(_irregularity_loop(tuple(arrays), floats), 1, [*given, *arrays.values()])[0]
-
-
-BY_LOOPS = Arithmetic(extremes_in_loops, irregularity_in_loops)
-
-
-def _sorted(load: Load, names: Sequence[str]) -> tuple[dict[str, Floats], Constants]:
-    given = {name: getattr(load, name) for name in names}
-    arrays = {name: one for name, one in given.items() if not isinstance(one, float)}
-    return arrays, tuple((name, one) for name, one in given.items() if isinstance(one, float))
-
-
-def _filled(run: Callable[..., None], rows: int, given: Sequence[Floats]) -> list[Any]:
-    size = max(one.size for one in given)
-    arrays = [np.require(np.broadcast_to(one, size), np.float64, ("C", "A")) for one in given]
-    filled = [np.empty(size) for _ in range(rows)]
-    run(np.empty(0), *arrays, *filled)
-    return filled
-
-
-def _load(arrays: Sequence[str], floats: Constants, numbers: Sequence[Traced]) -> Load:
-    unknown: dict[str, Any] = dict.fromkeys(Load._fields)
-    return Load(**unknown | dict(floats) | dict(zip(arrays, numbers, strict=True)))
-
-
-@lru_cache(maxsize=64)
-def _extremes_loop(kind: Any, arrays: tuple[str, ...], floats: Constants) -> Callable[..., None]:
-    def formula(ratio: Any, *more: Traced) -> list[object]:
-        falling, rising, *rest = extremes(kind, ratio, _load(arrays, floats, more))
-        return [*falling, *rising, *rest]
-
-    return compiled(written_formula(formula, 1 + len(arrays)))
-
-
-@lru_cache(maxsize=64)
-def _irregularity_loop(arrays: tuple[str, ...], floats: Constants) -> Callable[..., None]:
-    def formula(*numbers: Any) -> list[object]:
-        return [irregularity(_load(arrays, floats, numbers[6:]), *numbers[:6])]
-
-    return compiled(written_formula(formula, 6 + len(arrays)))
+"""δ in units of P r/(m₁ v₁²), by method, from what searches the extremes, λ and the forces."""

@@ -164,12 +164,7 @@ def chosen(
     None among the functions is one for NumPy, as is one that is more than arithmetic. `fast` is whether numba
     is to be taken where it is installed, None if it is to pay. No bit depends on it.
     """
-    if fast is False or (fast is None and cells < FEWEST) or find_spec("numba") is None:
-        return None
-    if fast is None and not (_is_loaded() or _reached("", cells, LOADING)):
-        return None
-
-    if not installed():
+    if not _worth_loading(cells, fast):
         return None
     places = [place for place, one in enumerate(functions) if one is not None and traceable(one, others)]
     ours = [one for place in places if (one := functions[place]) is not None]
@@ -187,12 +182,15 @@ def of_all(cells: int) -> bool | None:
 
 def pays(what: str, cells: int, fast: bool | None) -> bool:
     """Whether a loop of this name is to do what NumPy does in the time of so many cells."""
+    return _worth_loading(cells, fast) and bool(fast or _reached(what, cells, COMPILING))
+
+
+def _worth_loading(cells: int, fast: bool | None) -> bool:
     if fast is False or (fast is None and cells < FEWEST) or find_spec("numba") is None:
         return False
     if fast is None and not (_is_loaded() or _reached("", cells, LOADING)):
         return False
-
-    return installed() and bool(fast or _reached(what, cells, COMPILING))
+    return installed()
 
 
 def _is_loaded() -> bool:

@@ -117,10 +117,6 @@ class Traced:
     def __gt__(self, other: Traced | float) -> Condition:
         return Condition(self.tape, f"{self.name} > {self.tape.name(other)}")
 
-    def view(self, _: object) -> Bits:
-        """Return the bits, as an array of floats does for NumPy's int64."""
-        return Bits(self.tape, self.tape.number(f"float64({self.name}).view(int64)").name)
-
     def __array_ufunc__(
         self, ufunc: Callable[..., object], method: str, *numbers: Any, **options: object
     ) -> Any:
@@ -154,32 +150,6 @@ class Condition:
 
     def __bool__(self) -> bool:
         raise UntraceableError("a traced number is not known yet")
-
-
-class Bits:
-    """The bits of a number that is not known yet, as a whole number."""
-
-    def __init__(self, tape: Tape, name: str) -> None:
-        self.tape = tape
-        self.name = name
-
-    def _of(self, sign: str, number: int) -> Bits:
-        return Bits(self.tape, self.tape.number(f"{self.name} {sign} {number}").name)
-
-    def __rshift__(self, count: int) -> Bits:
-        return self._of(">>", count)
-
-    def __lshift__(self, count: int) -> Bits:
-        return self._of("<<", count)
-
-    def __mul__(self, number: int) -> Bits:
-        return self._of("*", number)
-
-    def __add__(self, number: int) -> Bits:
-        return self._of("+", number)
-
-    def view(self, _: object) -> Traced:
-        return self.tape.number(f"int64({self.name}).view(float64)")
 
 
 def _chosen(one: Traced | float, sign: str, other: Traced | float) -> Traced:
