@@ -200,7 +200,7 @@ def _checked(given: ArrayLike, name: str) -> Floats:
     return values
 
 
-def _within(values: Any, name: str) -> Any:
+def _within(values: Floats, name: str) -> NDArray[np.bool_]:
     """Return where the numbers of this name lie between their limits."""
     least, below, _ = LIMITS[name]
     return (values >= least) & (values < below)

@@ -174,6 +174,18 @@ def extremes(kind: Kind, ratio: Floats, load: Load, steps: int = STEPS) -> Seque
     """Return what is not above 0 where both extreme speeds have settled; τ, tan β/2 and both shares of the
     least one, on the return stroke before the cut-off; the last three of the greatest one, on the outstroke.
     """
+    least, most, restless, change = _searched(kind, ratio, load, steps)
+    rising = kind.place(ratio, least)[:3]
+    # Before the cut-off the greatest speed is where the velocity is that of the least one, so at the same τ.
+    is_expanding = rising[2] * load.expansion > 1
+    most, change = np.where(is_expanding, most, least), np.where(is_expanding, change, restless)
+    falling = kind.place(ratio, most)[:3]
+    return [np.maximum(restless, change), least, *rising, *falling]
+
+
+def _searched(kind: Kind, ratio: Floats, load: Load, steps: int) -> Sequence[Floats]:
+    """Return τ of the least speed, that of the greatest one if the steam expands there, and what is not above
+    0 where either has settled."""
     wanted = load.mean / load.net
     # Nearly, the velocity is 2τ √(τ² + (its slope)²).
     square = (kind.place(ratio, NEAR).velocity / (2 * NEAR)) ** 2
@@ -182,17 +194,15 @@ def extremes(kind: Kind, ratio: Floats, load: Load, steps: int = STEPS) -> Seque
     for _ in range(steps):
         # Both in turn: their operations do not wait for each other.
         before = least, most
-        place = kind.place(ratio, least)
-        least = _nearer(least, place, (1 / wanted, 0.0), 1.0, 0.0)
+        least = _nearer(least, kind.place(ratio, least), (1 / wanted, 0.0), 1.0, 0.0)
         place = kind.place(ratio, most)
         most = _nearer(most, place, kind.steam(ratio, most, place, load), load.mean, load.back)
-    change = [np.abs(one - last) - SETTLED * last for one, last in zip((least, most), before, strict=True)]
-    rising = kind.place(ratio, least)
-    # Before the cut-off the greatest speed is where the velocity is that of the least one, so at the same τ.
-    is_expanding = rising.rest * load.expansion > 1
-    falling = kind.place(ratio, np.where(is_expanding, most, least))
-    restless = np.maximum(change[0], np.where(is_expanding, change[1], -1.0))
-    return [restless, least, *rising[:3], *falling[:3]]
+        del place  # Six columns of no more use.
+    return [
+        least,
+        most,
+        *(np.abs(one - last) - SETTLED * last for one, last in zip((least, most), before, strict=True)),
+    ]
 
 
 def _farther(place: Motion, ratio: Floats, tangent: Floats, load: Load) -> Floats:
@@ -210,7 +220,12 @@ def _farther(place: Motion, ratio: Floats, tangent: Floats, load: Load) -> Float
 
 
 def _nearer(
-    tangent: Floats, place: Place, steam: tuple[Any, Any], mean: Any, back: Any, is_late: bool = False
+    tangent: Floats,
+    place: Place,
+    steam: tuple[Floats, Floats | float],
+    mean: Floats | float,
+    back: Floats | float,
+    is_late: bool = False,
 ) -> Floats:
     """Return τ nearer to where the force of the steam, a pressure and its slope, rises to its mean.
 
@@ -247,7 +262,7 @@ def by_loops(kind: Kind, ratio: Floats, load: Load) -> Floats:
 
 @cache
 def _loop(kind: Kind) -> Callable[..., None]:
-    def formula(ratio: Any, *forces: Any) -> Any:
+    def formula(ratio: Any, *forces: Any) -> Sequence[Floats]:
         return extremes(kind, ratio, Load(*forces))
 
     return compiled(written_formula(formula, len(Load._fields)))
