@@ -15,7 +15,6 @@ from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
-from kurbel.cli.misplaced import one_line
 from kurbel.cli.options import MACHINE, Document, FileName, Type, TypedOptions, defaults_by_machine
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
@@ -29,7 +28,6 @@ from kurbel.formats.registry import (
     WorkbookFormat,
 )
 from kurbel.formats.render import as_one_page, render
-from kurbel.formats.workbook import page_sheet
 from kurbel.handbook.matter import terse
 from kurbel.handbook.pages import INSIDE, PAGE, SHEET, kept
 from kurbel.handbook.pool import BuiltFiles, ListEntry, Task, Verified
@@ -119,6 +117,8 @@ def asked(
         with augment_usage_errors(context):
             made = command.made(TypedOptions(context))
     except click.ClickException as error:
+        from kurbel.cli.misplaced import one_line
+
         raise ProblemError(one_line(error, words)) from None
     if isinstance(made, Table):
         made = _unprompted(made)
@@ -246,6 +246,8 @@ def _waiting(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
             page = render(table, form.name, decimal=decimal, templates=task.templates, place="handbook")
             files[INSIDE.format(task.part.name)] = page.encode()
         elif isinstance(form, WorkbookFormat) and not any(name.endswith(".json") for name in files):
+            from kurbel.formats.workbook import page_sheet
+
             sheet = page_sheet(table, form.decimal_mark(table.lang, decimal), "")
             files[SHEET.format(task.part.name)] = kept(sheet)
     return files

@@ -33,6 +33,7 @@ from kurbel.errors import KurbelError, LayoutError, OutputError
 from kurbel.formats.registry import Format, PageFormat, RecordsFormat, by_name
 from kurbel.formats.render import environment_of
 from kurbel.page.layouts import layout_file, layout_names, template_folder
+from kurbel.reading.environment import HAS_PROCESSES
 from kurbel.reading.given import choose
 from kurbel.reading.names import did_you_mean
 
@@ -126,8 +127,6 @@ def _names(place: str, folder: str = "") -> list[str]:
     return sorted(os.listdir(path)) if os.path.isdir(path) else []
 
 
-# A browser has none but its own.
-HAS_PROCESSES = sys.platform != "emscripten"
 # Templates of one's own have so many seconds of processor time for a page, and so much memory.
 PATIENCE, GIGABYTES = 10.0, 4
 _PROGRAM = (

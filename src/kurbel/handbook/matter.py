@@ -15,7 +15,6 @@ from unicodedata import name as name_of
 
 from kurbel.documents import prose
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.markdown import parse_prose
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS, Label
 from kurbel.page.labels import Mark, Prose, parse, plain, primed
 from kurbel.page.quantity import Letter, words
@@ -153,6 +152,8 @@ def notation(
         rounding=_rounding(rounded, lang),
         books=BOOKS[lang] if books else "",
     )
+    from kurbel.documents.markdown import parse_prose
+
     drive = (_item(f"{symbol} {said[lang]}") for symbol, said in LETTERS.items())
     directions = dict.fromkeys(_directions(letters))
     blocks = (*parse_prose(text), _list(drive))

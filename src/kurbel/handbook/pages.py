@@ -28,7 +28,6 @@ from kurbel.formats.sheet import (
     checked_text,
     sheet_name,
 )
-from kurbel.formats.templates import deadline
 from kurbel.formats.workbook import CAPTION_LINE, LARGE, LINE, epoch, height_of_prose
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
@@ -195,6 +194,8 @@ def make_pdf(folder: str, standards: tuple[str, ...], limited: bool) -> BuiltFil
 
     def read(name: str) -> str:
         return _text_of(os.path.join(folder, name), LARGEST)
+
+    from kurbel.formats.templates import deadline
 
     with deadline(PDF_PATIENCE, None) if limited else nullcontext():
         return BuiltFiles({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, standards, read)})

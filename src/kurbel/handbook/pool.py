@@ -15,9 +15,8 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from kurbel.errors import KurbelError
-from kurbel.exact.certify import BALLS
-from kurbel.formats.templates import HAS_PROCESSES
 from kurbel.page.quantity import Letter
+from kurbel.reading.environment import HAS_PROCESSES
 from kurbel.sweeps.hands import taken
 from kurbel.sweeps.versions import LIBRARIES, content_of
 
@@ -184,6 +183,8 @@ class WorkerResult(NamedTuple):
 
 def _part(makes: Sequence[partial[BuiltFiles]], number: int) -> WorkerResult:
     # The precision of balls is that of the process.
+    from kurbel.exact.certify import BALLS
+
     with BALLS:
         made = tried(makes[number])
     return WorkerResult(made, () if isinstance(made, str) else _inputs(makes[number], made))

@@ -12,6 +12,8 @@ from typing import TypedDict
 
 from kurbel.errors import MissingExtraError, NotationError
 
+# A browser has none but its own.
+HAS_PROCESSES = sys.platform != "emscripten"
 EPOCH = "SOURCE_DATE_EPOCH"
 # The last second of the year 9999, with which dates in a PDF end.
 LAST = 253402300799
