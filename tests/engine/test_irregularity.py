@@ -305,7 +305,8 @@ def test_the_curve_of_excess_work_never_leaves_the_range(
 @pytest.mark.parametrize("motion", [exact, first_order])
 @given(ratio=st.floats(0, 0.95), tangent=st.floats(1e-6, 100))
 def test_the_unknown_stands_for_an_angle_and_a_place(motion: Any, ratio: float, tangent: float) -> None:
-    path, velocity = kinematics.piston_path, kinematics.piston_velocity
+    path: Any = kinematics.piston_path
+    velocity: Any = kinematics.piston_velocity
     if motion is first_order:
         path, velocity = kinematics.piston_path_first_order, kinematics.piston_velocity_first_order
     place, step = motion(ratio, tangent), 1e-5
