@@ -289,8 +289,8 @@ def _on_all_cores(what: str, of: tuple[str, int], fewer: str) -> Race:
         Row(what, "kurbel", CAREFUL, times=count),
         Row(bare, BARE, CAREFUL, times=count),
         Row(what, "kurbel", "numexpr, textbook", times=count),
-        Row(what, "kurbel", "numba's loop, textbook", 1 / 3, count),
-        Row(what, "kurbel", "pure write of the result", 2.5, count),
+        Row(what, "kurbel", "numba's loop, textbook", 1 / 2, count),
+        Row(what, "kurbel", "pure write of the result", times=count),
     ]
     if fewer:
         contestants |= {
