@@ -235,7 +235,7 @@ def test_a_pdf_of_ones_own_templates_has_a_time_of_its_own(
         counted.append(True)
         yield
 
-    monkeypatch.setattr("kurbel.handbook.pages.deadline", deadline)
+    monkeypatch.setattr("kurbel.formats.templates.deadline", deadline)
     with pytest.raises(library.KurbelError, match=r"handbook\.typ"):
         make_pdf(str(tmp_path), (), limited=True)
     assert counted == [True]
