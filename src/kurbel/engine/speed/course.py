@@ -218,7 +218,10 @@ def _powers(one: Section, exponent: Fraction, halvings: int) -> Iterator[Section
         yield one._replace(function=found)
         return
     if not halvings:
-        raise ProblemError("the time is not settled, for the speed nearly vanishes; give a heavier flywheel")
+        raise ProblemError(
+            "the speed over the turn is not settled, for the flywheel is light beside what makes it swing;"
+            " give a heavier one"
+        )
     for half in one.halves():
         yield from _powers(half, exponent, halvings - 1)
 

@@ -171,8 +171,8 @@ class Run:
                 force = 4 * len(self.turn.engine.cranks) / abs(float(self.turn.mean_force()))
                 of_force = force * float(self.first_omega) ** 2 / float(self.number)
                 return 2 * of_speed * abs(value) + of_force
-        # The speed at the angle and at the dead centre.
-        return 2 * of_speed * value
+        # The speed at the angle and at the dead centre; before that the time is below 0.
+        return 2 * of_speed * abs(value)
 
     def check(self) -> None:
         """Raise ProblemError for a flywheel that would come to rest."""
