@@ -43,7 +43,8 @@ def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
     (metadata,) = (text for name, text in texts(wheel, names) if name.endswith(".dist-info/METADATA"))
     assert "License-Expression: MIT AND OFL-1.1\n" in metadata
     assert metadata.count("License-File: ") == len(licences) == 2
-    for layout in (ROOT / "templates").rglob("*.*"):
+    assert not any("__pycache__" in name for name in names)
+    for layout in {*(ROOT / "templates").rglob("*.*")} - {*(ROOT / "templates").glob("__pycache__/*")}:
         assert f"kurbel/templates/{layout.relative_to(ROOT / 'templates').as_posix()}" in names
     # What `kurbel help` searches and shows.
     for page in (
