@@ -75,7 +75,7 @@ STARTS = (
     Start("inertia --ratio 1:5 --centre 0.65 --gyration 0.35 --layout inertia-errors", IMPORTS),
     Start("table --stroke 100mm --rod 250mm", IMPORTS),
     Start("table --stroke 4in --rod 10in", IMPORTS),
-    Start("table --ratio 1:5 -o motion.svg", FIGURE, 1.5),
+    Start("table --ratio 1:5 -o motion.svg", FIGURE, 1.6),
     Start("--help", EMPTY),
 )
 
