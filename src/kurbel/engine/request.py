@@ -20,7 +20,7 @@ from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import PAGE_CELLS
 from kurbel.motion.mechanism import STRAIGHT, Mechanism
-from kurbel.motion.motion_page import worthwhile
+from kurbel.motion.records import worthwhile
 from kurbel.page.quantity import Column, Of, Quantity, with_symbol, words
 from kurbel.page.subject import LEAVE_OUT, Question
 from kurbel.reading.given import choose

@@ -26,9 +26,10 @@ from kurbel.motion.entries import Formulas
 from kurbel.motion.evaluation import OUT, Needs, Places, certified_at
 from kurbel.motion.mechanism import FORCES as IN_DRAWINGS
 from kurbel.motion.mechanism import Mechanism, mechanism
-from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs, long_records
+from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs
 from kurbel.motion.motion_quantities import Force
 from kurbel.motion.notes import force_notes, moving_notes, size_notes, turns_label
+from kurbel.motion.records import long_records
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Of, Quantity, Words, enumerated, filled, for_ratio, words

@@ -12,7 +12,6 @@ from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, LOADS, MASSES, PUMP,
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.motion.motion_page import Request
 from kurbel.motion.notes import drive_notes, loaded_notes, offset_notes
 from kurbel.page.quantity import Column, Quantity
 from kurbel.reading.given import found_at
@@ -162,6 +161,8 @@ class StraightCrank(Mechanism):
         return offset_notes(drives, lang) if any(drive.offset for drive in drives) else ()
 
     def question(self, drives: Sequence[Crank], method: str | None = None, **asked: Any) -> Request:
+        from kurbel.motion.motion_page import Request
+
         return Request(drives=tuple(drives), method=method, **asked)
 
     def solved(self, drives: Sequence[Crank], method: str | None) -> tuple[SlideDrive, ...]:

@@ -17,7 +17,7 @@ from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.evaluation import METHODS, OFFSET, RETURN, columns_in_balls
 from kurbel.motion.mechanism import Mechanism, mechanism
-from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs, long_records
+from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs
 from kurbel.motion.motion_quantities import registry
 from kurbel.motion.point_quantities import (
     BESIDE,
@@ -32,6 +32,7 @@ from kurbel.motion.point_quantities import (
     velocity,
 )
 from kurbel.motion.points import RodPoint, decimals_of, with_points
+from kurbel.motion.records import long_records
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Of, Quantity, Texts, bare, enumerated, filled, for_ratio, words

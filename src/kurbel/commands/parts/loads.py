@@ -173,7 +173,7 @@ class Loads(Piston):
     )  # fmt: skip
     cycle = word(
         "Gas engine: otto (default), diesel or dual cycle.",
-        kind=Choice("cycle", "kurbel.engine.loads.ideal:CYCLES"),
+        kind=Choice("cycle", "kurbel.engine.loads.gas:CYCLES"),
         machine="gas",
         topic="gas",
     )
@@ -368,7 +368,7 @@ class Loads(Piston):
         return Pump(kind, share) if ring is None else Pump(kind, share, ring)
 
     def _gas_cycles(self) -> Sequence[Acting]:
-        from kurbel.engine.loads.ideal import OTTO, GasCycle
+        from kurbel.engine.loads.gas import OTTO, GasCycle
 
         peak, exhaust = self._in_suctions("peak_pressure"), self._in_suctions("exhaust_pressure")
         return [

@@ -19,7 +19,7 @@ from kurbel.reading.notation import plain
 if TYPE_CHECKING:
     from kurbel.engine.engine import Assembly, Load
     from kurbel.engine.loads.driven import Compressor, Pump
-    from kurbel.engine.loads.ideal import GasCycle
+    from kurbel.engine.loads.gas import GasCycle
 
 CYCLES = Texts("engine.loads", "cycles")
 OF_STEAM = Texts("engine.loads", "of_steam")
