@@ -250,12 +250,21 @@ class At:
             return NOTHING
         return moving.weights(self.numbers, self.crank.pin_acceleration(self.numbers))
 
+    def bearing(self, masses: Masses[Numeric]) -> LoadedCrank:
+        """Return the drive with these masses alone, in any unit of them."""
+        if self.arc is not None:
+            return self._on_arc(masses, 0, 0)
+        return LoadedCrank(self.circle, self.ratio, masses, self.offset, by=self.by)
+
+    def _on_arc(self, masses: Masses[Numeric], net: Numeric, reciprocating: Numeric) -> LoadedCrank:
+        under: Callable[..., LoadedCrank] = self.drive.under
+        return under(self.circle, self.place, self.arc, masses, net, reciprocating)
+
     def _under_force(self, masses: Masses[Numeric], reciprocating: Numeric) -> LoadedCrank:
         crank = self.crank
         net = self.acting(self.numbers.of(crank.force.first if crank.force else Fraction(0)))
         if self.arc is not None:
-            under: Callable[..., LoadedCrank] = self.drive.under
-            return under(self.circle, self.place, self.arc, masses, net, reciprocating)
+            return self._on_arc(masses, net, reciprocating)
         drive, friction = (self.circle, self.ratio, masses, self.offset), None
         if crank.effort is not None:
             net, friction = net + self.pressed(), self.rubbing()

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 from kurbel.drive.at import At, known
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.parts import AccelerationParts, parted
-from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.linkage import LinkageRequest, force_entries, force_formula, linkage_subject
 from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.entries import OF_ROD, headed, in_units, measured, on_strokes
-from kurbel.motion.inertia import RodForce, rod_entries
+from kurbel.motion.inertia import inertia_registry
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.notes import connecting_rod, size_notes, turns_label
-from kurbel.motion.rod_accelerations import rocker_entries
-from kurbel.motion.rod_forces import part_entries
 from kurbel.page.quantity import Formula, Of, Quantity, words
 
 # A further formula, as it is printed where the pivot lies on the left of the end's way.
@@ -169,26 +165,6 @@ class RockerInertiaRequest(LinkageRequest):
         return called
 
 
-@cache
-def rocker_inertia_registry() -> Mapping[str, Quantity]:
-    """Return every force by every model, as of a rod between crank and crosshead, and Ensslin's parts."""
-    parts = (*rocker_entries(_parted), *part_entries(_parted, slide=False))
-    return {one.key: one for one in (*rod_entries(_kernel), *parts)}
-
-
-def _parted(at: At) -> AccelerationParts:
-    return parted(_loaded(at, "exact"))
-
-
-def _loaded(at: At, model: str) -> LoadedRocker:
-    masses = known(at.drive.crank.rod).masses(model, at.numbers.of)
-    return LoadedRocker(at.circle, at.arc.ratio, masses, place=at.place, arc=at.arc)
-
-
-def _kernel(force: RodForce, model: str) -> Callable[[At], Numeric]:
-    return lambda at: force.formula(_loaded(at, model))
-
-
 def _moved(drive: RockerCrank) -> Any:
     return mechanism(drive.mechanism)
 
@@ -213,7 +189,7 @@ SUBJECT = linkage_subject(
     "rocker inertia",
     layout="inertia-rocker",
     command="inertia --mechanism arc --rocker 6",
-    quantities=rocker_inertia_registry,
+    quantities=partial(inertia_registry, False),
     caption=_caption,
     notes=_notes,
     ratios=True,

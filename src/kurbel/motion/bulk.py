@@ -89,7 +89,7 @@ def greatest_value(column: Column, crank: Crank) -> float:
     """Return what no value of the column, nor its slopes over λ and the angle, exceeds by much."""
     if Needs.EVEN in column.quantity.needs:
         # Most tables have no forces of a rod.
-        from kurbel.motion.rod_forces import has_poles
+        from kurbel.motion.inertia import has_poles
 
         if has_poles(column.quantity, crank):
             return inf

@@ -251,7 +251,7 @@ class Request(CrankQuestion, AngleQuestion):
         check_pairs(self.layout, "offset cranks")
         if any(Needs.EVEN in column.quantity.needs for column in self.page_columns):
             # Its module is large, and few pages have such a force.
-            from kurbel.motion.rod_forces import check_poles
+            from kurbel.motion.inertia import check_poles
 
             check_poles(self.page_columns, self.cranks, self.angles)
 
