@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.balancing.arrangement import Cylinder, Residual, factor
+from kurbel.balancing.arrangement import IN_NEWTONS, WEIGH, Residual, factor
 from kurbel.balancing.balance_page import (
     DECIMALS,
     RESIDUALS,
@@ -20,9 +20,10 @@ from kurbel.balancing.balance_page import (
     BalanceRequest,
     balance_notes,
     in_newtons,
+    number_in,
 )
 from kurbel.balancing.harmonics import OrderAxis
-from kurbel.balancing.vector import IN_NEWTONS, Point, Vector
+from kurbel.balancing.vector import Point, Vector
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
@@ -36,13 +37,6 @@ from kurbel.page.axes import AngleAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
-
-# What a cylinder's force counts: 1, or its arm.
-Weigh = Callable[[Cylinder], Fraction]
-WEIGH: dict[str, Weigh] = {
-    "force": lambda cylinder: Fraction(1),
-    "moment": lambda cylinder: cylinder.position,
-}
 
 
 def of_order(residual: Residual, order: int, angle: Fraction) -> Vector:
@@ -100,12 +94,11 @@ WORDS: Mapping[str, Words] = {
         "|$φ$ angle of the shaft; at $φ = 0$ the cranks stand as given"
     ),
 }
-# By the key of a column: what it prints of a vector, times a scale.
-PRINTED: Mapping[str, Callable[[Vector, Real], Real | Vector]] = {
-    "along": lambda vector, scale: vector.component(0) * scale,
-    "across": lambda vector, scale: vector.component(1) * scale,
-    "magnitude": lambda vector, scale: vector.length() * scale,
-    "direction": lambda vector, scale: vector,
+# By the key of a column: what it prints of a vector beside its direction.
+PRINTED: Mapping[str, Callable[[Vector], Real]] = {
+    "along": lambda vector: vector.component(0),
+    "across": lambda vector: vector.component(1),
+    "magnitude": Vector.length,
 }
 
 
@@ -122,7 +115,7 @@ def quantities() -> Mapping[str, Quantity]:
         formulas = {"exact": Formula(PRINTED[key])}
         own = entry(key, name, "", "m R ω²", DECIMALS, formulas, head)
         found += [own, in_newtons(own)]
-    formulas = {"exact": Formula(PRINTED["direction"])}
+    formulas = {"exact": Formula(Vector.number)}
     found.append(entry("direction", "Richtung|Direction", "", "°", DIRECTION_DECIMALS, formulas,
                        "Richtung in °|direction in °"))  # fmt: skip
     return {one.key: one for one in found}
@@ -144,7 +137,7 @@ class AngleRequest(BalanceRequest):
 
     @property
     def in_own_units(self) -> bool:
-        return any(one.key in PRINTED and one.key != "direction" for one in self.page_columns)
+        return any(one.key in PRINTED for one in self.page_columns)
 
     @property
     def lines(self) -> tuple[int | None, ...]:
@@ -194,12 +187,12 @@ def _number(question: AngleRequest, column: Column, place: Place, times: int) ->
     vector, scale = question.vector(key, order, place["ratio"], place["angle"])
     if scale.rational == 0:
         return None if column.key == "direction" else EXACT_ZERO
-    if column.quantity.needs and question.weighed is not None:
-        if not question.weighed.knows(key):
-            return None if not vector.vanishes() else EXACT_ZERO
-        scale *= question.in_newtons.scale(key)
-    printed = PRINTED[column.key.removesuffix(IN_NEWTONS)]
-    return printed(vector, scale).number(column.places, question.rounding)
+    if column.key == "direction":
+        return vector.number(column.places, question.rounding)
+    value = PRINTED[column.key.removesuffix(IN_NEWTONS)](vector) * scale
+    if question.unit(column.quantity, key) is None and not vector.vanishes():
+        return None
+    return number_in(question, column, key, value)
 
 
 def _notes(question: AngleRequest) -> Iterator[Label]:

@@ -1,31 +1,33 @@
 """Balance of engines with several cranks: free forces and moments of each order, with certified digits.
 
 Forces are in units of m R ω², m being the reciprocating mass of a cylinder; moments in that times the unit
-of the cylinders' positions. They are vectors in the plane across the shaft, see kernel/harmonics.py.
+of the cylinders' positions. They are vectors in the plane across the shaft, see kernel/harmonics.py. What
+mass, radius, speed and spacing make of them are newtons and newton metres.
+
+Along its slide a rod is exactly two masses at its pins that keep its centre of mass (Ensslin): to and fro
+goes the share at the crosshead pin, and that at the crank pin turns.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
-from math import inf
 from typing import NamedTuple
 
-import flint
-
 from kurbel.balancing import harmonics
+from kurbel.balancing.vector import Vector, omega
 from kurbel.drive.at import known
 from kurbel.drive.crank import LARGEST_ANGLE, Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, at_bits, ball, rounded
-from kurbel.exact.kind import Kind, balls
-from kurbel.exact.numerals import Number
-from kurbel.exact.real import Known, Real
+from kurbel.exact.numerals import Label, figure
+from kurbel.exact.real import Real
 from kurbel.kernel import harmonics as of_kernel
-from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Star
+from kurbel.motion.notes import moving_notes, turns_label
+from kurbel.page.quantity import Texts
+from kurbel.reading.amounts import Units, amount, digits, unit_of_page
 from kurbel.reading.notation import about, check_bounds
 
 MOST_CYLINDERS = 24
@@ -162,30 +164,27 @@ class Residual(NamedTuple):
         return self.forward.turned(-degrees) + self.backward.turned(-degrees).mirrored()
 
 
-def force(arrangement: Arrangement, order: int) -> Residual:
-    """Return the free force of an order."""
-    return _residual(arrangement, order, lambda cylinder: Fraction(1))
+# What a cylinder's force counts: 1, or its arm. The vector of a moment is that of the forces of the couple,
+# in their direction; the axis of the couple is square to it.
+WEIGH: Mapping[str, Callable[[Cylinder], Fraction]] = {
+    "force": lambda cylinder: Fraction(1),
+    "moment": lambda cylinder: cylinder.position,
+}
 
 
-def moment(arrangement: Arrangement, order: int) -> Residual:
-    """Return the free moment of an order: each force times its position along the shaft.
-
-    It is the vector of the forces of the couple, in their direction; the axis of the couple is square to it.
-    """
-    return _residual(arrangement, order, lambda cylinder: cylinder.position)
-
-
-def _residual(arrangement: Arrangement, order: int, weigh: Callable[[Cylinder], Fraction]) -> Residual:
+def residual(arrangement: Arrangement, key: str, order: int) -> Residual:
+    """Return the free force of an order, or the moment: each force times its position along the shaft."""
     check_order(order)
     # B_k is negative for k = 4, 8, 12, ...
     sign = -1 if order % 4 == 0 else 1
     forward, backward = Star(), Star()
     for cylinder in arrangement.cylinders:
-        weight = sign * weigh(cylinder) * cylinder.mass
+        arm = WEIGH[key](cylinder)
+        weight = sign * arm * cylinder.mass
         forward += of_kernel.forward(order, cylinder.crank, cylinder.bank, weight)
         backward += of_kernel.backward(order, cylinder.crank, cylinder.bank, weight)
         if order == 1:
-            turning = weigh(cylinder) * cylinder.revolving - weight * arrangement.share
+            turning = arm * cylinder.revolving - weight * arrangement.share
             forward += Star.ray(cylinder.crank, turning)
     return Residual(forward, backward)
 
@@ -201,78 +200,30 @@ def check_order(order: int) -> None:
 def factor(order: int, crank: Crank, method: str = "exact") -> Real:
     """Return |B_k|, by which residuals are multiplied to be in units of m R ω²."""
     check_order(order)
-    harmonics.check_straight(crank)
-    harmonic = harmonics.HARMONICS["p"]
-    # 1, λ or 0.
-    exact = harmonics.rational(harmonic, order, crank, method)
-    if exact is not None:
-        return Real.of(exact)
-    return Real.transcendental(lambda kind: abs(harmonic.value(order, kind.of(crank.ratio))))
+    return abs(harmonics.real(harmonics.HARMONICS["p"], order, crank, method))
 
 
-class Length(NamedTuple):
-    """A magnitude of the residual: whether it is 0, its ball, and whether it is a rational number > 0."""
-
-    vanishes: Callable[[Residual], bool]
-    value: Callable[[Residual, Kind], Numeric]
-    equals: Callable[[Residual, Fraction], bool]
+def _length(star: Star) -> Real:
+    return Vector(star).length()
 
 
-def _magnitude(star_of: Callable[[Residual], Star]) -> Length:
-    return Length(
-        lambda residual: star_of(residual).vanishes(),
-        lambda residual, kind: _length(star_of(residual), kind),
-        lambda residual, length: (star_of(residual).square() - Star.ray(Fraction(0), length**2)).vanishes(),
-    )
-
-
-def _length(star: Star, kind: Kind) -> Numeric:
-    # A ball around 0 has no root.
-    if star.vanishes():
-        return kind.of(Fraction(0))
-    x, y = star.point(kind.circle, kind.of)
-    return (x * x + y * y) ** 0.5
-
-
-def _half_axis(sign: int) -> Length:
+def _half_axis(sign: int) -> Callable[[Residual], Real]:
     """Return the half axis |f| ± |b| of the ellipse that the two vectors describe; a line's lesser is 0."""
 
-    def vanishes(residual: Residual) -> bool:
-        if sign > 0:
-            return residual.forward.vanishes() and residual.backward.vanishes()
-        return (residual.forward.square() - residual.backward.square()).vanishes()
+    def length(residual: Residual) -> Real:
+        forward, backward = residual
+        if sign < 0 and (forward.square() - backward.square()).vanishes():
+            return Real.of(0)
+        return abs(_length(forward) + _length(backward) * sign)
 
-    def value(residual: Residual, kind: Kind) -> Numeric:
-        return abs(_length(residual.forward, kind) + sign * _length(residual.backward, kind))
-
-    def equals(residual: Residual, length: Fraction) -> bool:
-        forward, backward = residual.forward.square(), residual.backward.square()
-        product = forward * backward * 4
-        # With l = |f| ± |b| the rest is ±2 |f| |b|; its square alone fits both axes.
-        rest = Star.ray(Fraction(0), length**2) - forward - backward
-        if not (rest * rest - product).vanishes():
-            return False
-        return product.vanishes() or _sign(rest) == sign
-
-    return Length(vanishes, value, equals)
+    return length
 
 
-def _sign(star: Star) -> int:
-    """Return the sign of x of a star that is not 0 and lies along the x-axis."""
-    kind, bits = balls(), flint.ctx.prec
-    while True:
-        with at_bits(bits):
-            x = ball(star.point(kind.circle, kind.of)[0])
-        if not x.contains(0):
-            return 1 if x > 0 else -1
-        bits *= 2
-
-
-LENGTHS: Mapping[str, Length] = {
-    "along": _magnitude(lambda residual: residual.component(Fraction(0))),
-    "across": _magnitude(lambda residual: residual.component(Fraction(90))),
-    "forward": _magnitude(lambda residual: residual.forward),
-    "backward": _magnitude(lambda residual: residual.backward),
+LENGTHS: Mapping[str, Callable[[Residual], Real]] = {
+    "along": lambda residual: _length(residual.component(Fraction(0))),
+    "across": lambda residual: _length(residual.component(Fraction(90))),
+    "forward": lambda residual: _length(residual.forward),
+    "backward": lambda residual: _length(residual.backward),
     "greatest": _half_axis(1),
     "least": _half_axis(-1),
 }
@@ -280,21 +231,129 @@ LENGTHS: Mapping[str, Length] = {
 two turning vectors; the half axes of the ellipse that they describe."""
 
 
-def certified_length(
-    length: Length, residual: Residual, decimals: int, factor: Known = 1, rounding: str = "half-away"
-) -> Number:
-    """Return a magnitude times the factor, correctly rounded; 0 where it is proved to be 0.
+def pin_acceleration(crank: Crank) -> Real:
+    """Return R ω² in m/s²."""
+    turning = omega(known(crank.speed))
+    return turning * turning * known(crank.radius)
 
-    Magnitudes are algebraic, and whether one is a rational number is decided by exact arithmetic. |B_k|
-    is transcendental where it is not rational (`harmonics.certified`), and so is its product with one.
+
+IN_NEWTONS = "_n"
+WORDS = Texts("balancing", "vector")
+
+
+@dataclass(frozen=True, slots=True)
+class CrankWithMasses:
+    """The crank of a cylinder with its masses, its radius and the speed; `spacing` is the unit of length
+    of the positions in metres, None where it is not known.
+
+    `each` are the masses in kg that go to and fro in the cylinders where these are not alike, and
+    `revolving` those that turn with the cranks at their radius, where they are not balanced apart.
+    Counterweights balance the share of the arrangement of the first and `revolving_share` of the second.
     """
-    scale = Real.of(factor)
-    if scale.rational == 0 or length.vanishes(residual):
-        return Number(0, decimals)
-    whole, share = Real(lambda kind: length.value(residual, kind)) * scale, scale.rational
 
-    def tie_bits(boundary: Fraction) -> float:
-        return 0.0 if length.equals(residual, boundary / known(share)) else inf
+    crank: Crank
+    spacing: Fraction | None = None
+    each: tuple[Fraction, ...] = ()
+    revolving: tuple[Fraction, ...] = ()
+    revolving_share: Fraction = Fraction(0)
+    balance_radius: Fraction | None = None
+    # Those of the page, None of one in newtons.
+    units: Units | None = None
 
-    ties = NEVER_TIES if share is None else tie_bits
-    return Number(rounded(lambda: whole.on(balls()), decimals, rounding, ties), decimals)
+    def __post_init__(self) -> None:
+        check_bounds(
+            "the spacing of the cranks", self.spacing, "be above 0, for it is the unit of the positions", " m"
+        )
+        if not self.mass:
+            raise ProblemError(
+                "no mass goes to and fro; add that of piston and crosshead, --reciprocating 300kg"
+            )
+
+    @property
+    def mass(self) -> Fraction:
+        """m in kg, what goes to and fro in a cylinder."""
+        return Fraction(known(self.crank.moving).joined.crosshead)
+
+    def knows(self, residual: str) -> bool:
+        """Whether the unit of this residual is known."""
+        return residual == "force" or self.spacing is not None
+
+    def scale(self, residual: str) -> Real:
+        """Return the unit m R ω² of a residual in newtons, of a moment in newton metres."""
+        return pin_acceleration(self.crank) * (self.mass * self._arm(residual))
+
+    def _arm(self, residual: str) -> Fraction:
+        """Return by what a force in newtons becomes one in the unit of the page, or a moment."""
+        arm, unit = (Fraction(1), "N") if residual == "force" else (known(self.spacing), "N m")
+        return arm if self.units is None else arm * self.units.times(unit)
+
+    def on(self, arrangement: Arrangement) -> Arrangement:
+        """Return the arrangement with the masses of its cylinders, in units of m."""
+        count = len(arrangement.cylinders)
+        each, revolving = self.each or (self.mass,) * count, self._turning(count)
+        for what, masses in (("reciprocating", each), ("revolving", revolving)):
+            if len(masses) != count:
+                raise ProblemError(
+                    f"the number of {what} masses is {len(masses)} and that of cylinders {count}; give"
+                    " one for each, or one for all"
+                )
+        free = 1 - self.revolving_share
+        return replace(
+            arrangement,
+            cylinders=tuple(
+                one._replace(mass=mass / self.mass, revolving=free * turning / self.mass)
+                for one, mass, turning in zip(arrangement.cylinders, each, revolving, strict=True)
+            ),
+        )
+
+    def _turning(self, count: int) -> tuple[Fraction, ...]:
+        """Return the masses that turn with the cranks, of one that is given for all of them."""
+        given = self.revolving or (Fraction(0),)
+        return given * count if len(given) == 1 else given
+
+    def counterweights(self, arrangement: Arrangement) -> tuple[Fraction, ...]:
+        """Return mass times radius of the counterweights opposite the cranks, in kg m."""
+        revolving, radius = self._turning(len(arrangement.cylinders)), known(self.crank.radius)
+        return tuple(
+            (arrangement.share * one.mass * self.mass + self.revolving_share * turning) * radius
+            for one, turning in zip(arrangement.cylinders, revolving, strict=True)
+        )
+
+    def notes(
+        self, arrangement: Arrangement, ratio_symbol: str, lang: str, metres: bool = False
+    ) -> Iterator[Label]:
+        """Yield the lines about masses, size and speed; positions in metres need no unit of their own."""
+        if not self.each:
+            yield from moving_notes(self.crank, ratio_symbol, lang)
+        rod = WORDS["rod"][lang] if known(self.crank.moving).rod is not None else ""
+        spacing = "" if self.spacing is None or metres else f"$a = {amount(self.spacing, 'mm')}$"
+        if self.each:
+            size = f"${ratio_symbol[0]} = {amount(known(self.crank.radius), 'mm')}$"
+            yield WORDS["each"][lang].format(masses=_listed(self.each), rod=rod)
+            yield ", ".join(filter(None, (size, turns_label(known(self.crank.speed)), spacing)))
+        else:
+            yield ", ".join(filter(None, (f"$m = {amount(self.mass, 'kg')}${rod}", spacing)))
+        if self.revolving:
+            yield WORDS["revolving"][lang].format(
+                masses=_listed(self.revolving), share=f"${figure(self.revolving_share)}$"
+            )
+        told = self.revolving or self.balance_radius is not None
+        if told and any(weights := self.counterweights(arrangement)):
+            times, unit = unit_of_page("kg m")
+            moments = "; ".join(f"${digits(one, times)}$" for one in dict.fromkeys(weights))
+            said = WORDS["counterweights"][lang].format(unit=f"${unit}$", moments=moments)
+            yield said + self._at_radius(weights, lang)
+
+    def _at_radius(self, weights: Sequence[Fraction], lang: str) -> Label:
+        if self.balance_radius is None:
+            return ""
+        masses = [one / self.balance_radius for one in weights]
+        return WORDS["at_radius"][lang].format(
+            radius=f"${amount(self.balance_radius, 'mm')}$", masses=_listed(masses)
+        )
+
+
+def _listed(masses: Sequence[Fraction]) -> Label:
+    """Return masses in kg in a row, once where all are alike."""
+    shown = masses[:1] if len(set(masses)) == 1 else masses
+    return "; ".join(f"${amount(one, 'kg')}$" for one in shown)

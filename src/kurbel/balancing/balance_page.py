@@ -8,32 +8,25 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from kurbel.balancing.arrangement import (
+    IN_NEWTONS,
     LENGTHS,
+    WEIGH,
     Arrangement,
+    CrankWithMasses,
     Cylinder,
     Residual,
-    certified_length,
     check_count,
     factor,
-    force,
-    moment,
+    residual,
     row,
     usual,
 )
-from kurbel.balancing.harmonics import (
-    EXACT_ZERO,
-    HARMONICS,
-    OrderAxis,
-    OrdersRequest,
-    caption,
-    harmonic_number,
-    series_notes,
-)
-from kurbel.balancing.vector import IN_NEWTONS, CrankWithMasses
+from kurbel.balancing.harmonics import HARMONICS, OrderAxis, OrdersRequest, caption, certified, series_notes
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
+from kurbel.exact.real import EXACT_ZERO, Real
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
 from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, Words, entry, words
 from kurbel.page.subject import Subject
@@ -63,7 +56,7 @@ WORDS = Texts("balancing", "balance")
 DEFAULT_ENGINE = "inline-4"
 DECIMALS, NEWTON_DECIMALS = 4, 1
 WEIGHED = Need(lambda question: question.weighed is not None, ("--reciprocating", "--stroke", "--speed"))
-RESIDUALS = ("force", "moment")
+RESIDUALS = tuple(WEIGH)
 FACTOR = "factor"
 # Key, name, spanner and head of the lengths of `balance.LENGTHS`.
 _LENGTHS = (
@@ -91,7 +84,7 @@ def balance_registry() -> Mapping[str, Quantity]:
     name = "Harmonische der Kolbenbeschleunigung|Harmonic of the piston acceleration"
     entries = [entry(FACTOR, name, "$B_k$", "", DECIMALS, {"exact": Formula(HARMONICS["p"].value)})]
     for key, name, spanner, head in _LENGTHS:
-        formulas = {"exact": Formula(LENGTHS[key].value)}
+        formulas = {"exact": Formula(LENGTHS[key])}
         own = entry(key, name, "", "m R ω²", DECIMALS, formulas, head, spanners=(words(spanner),))
         entries += [own, in_newtons(own)]
     return {one.key: one for one in entries}
@@ -160,8 +153,13 @@ class BalanceRequest(OrdersRequest):
     @cached_property
     def residuals(self) -> Mapping[tuple[str, int], Residual]:
         """The forces and moments of all orders, each found once."""
-        found = {"force": force, "moment": moment}
-        return {(key, order): found[key](self.placed, order) for key in RESIDUALS for order in self.orders}
+        return {(key, order): residual(self.placed, key, order) for key in RESIDUALS for order in self.orders}
+
+    def unit(self, quantity: Quantity, key: str) -> Real | None:
+        """Return the unit m R ω² of a residual in that of a quantity, None where it is not known."""
+        if not quantity.needs or self.weighed is None:
+            return Real.of(1)
+        return self.in_newtons.scale(key) if self.weighed.knows(key) else None
 
 
 def arranged(
@@ -222,16 +220,17 @@ def _number(question: BalanceRequest, column: Column, place: Place, times: int) 
     key, order = RESIDUALS[place["residual"]], question.orders[place["order"]]
     crank, method = Crank(question.ratios[place["ratio"]]), question.method
     if column.key == FACTOR:
-        return harmonic_number(HARMONICS["p"], order, crank, column.places, method, question.rounding)
-    length, residual = LENGTHS[column.key.removesuffix(IN_NEWTONS)], question.residuals[key, order]
-    scale = factor(order, crank, method)
-    if scale.rational == 0 or length.vanishes(residual):
+        return certified(HARMONICS["p"], order, crank, column.places, method, question.rounding)
+    length = LENGTHS[column.key.removesuffix(IN_NEWTONS)](question.residuals[key, order])
+    return number_in(question, column, key, length * factor(order, crank, method))
+
+
+def number_in(question: BalanceRequest, column: Column, key: str, value: Real) -> Number | None:
+    """Return a number of a residual in the unit of its column, None where that is not known."""
+    unit = question.unit(column.quantity, key)
+    if value.rational == 0:
         return EXACT_ZERO
-    if column.quantity.needs and question.weighed is not None:
-        if not question.weighed.knows(key):
-            return None
-        scale *= question.in_newtons.scale(key)
-    return certified_length(length, residual, column.places, scale, question.rounding)
+    return None if unit is None else (value * unit).number(column.places, question.rounding)
 
 
 def _caption(question: BalanceRequest) -> Label:

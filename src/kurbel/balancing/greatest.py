@@ -21,8 +21,8 @@ from typing import NamedTuple
 import flint
 from flint import arb, arb_series
 
-from kurbel.balancing.angles import WEIGH, WORDS, LineAxis, of_all
-from kurbel.balancing.arrangement import LENGTHS, Arrangement, Residual, certified_length, factor
+from kurbel.balancing.angles import WORDS, LineAxis, of_all
+from kurbel.balancing.arrangement import LENGTHS, WEIGH, Arrangement, Residual, factor
 from kurbel.balancing.balance_page import (
     RESIDUALS,
     SUBJECT,
@@ -30,6 +30,7 @@ from kurbel.balancing.balance_page import (
     balance_notes,
     balance_registry,
     in_newtons,
+    number_in,
 )
 from kurbel.balancing.harmonics import HARMONICS
 from kurbel.balancing.vector import Vector
@@ -268,7 +269,7 @@ def quantities() -> Mapping[str, Quantity]:
     own = whole._replace(spanners=(), heading=whole.name)
     name = "größter Betrag bei φ|Greatest magnitude at φ"
     head = "bei $φ$ in °|at $φ$ in °"
-    place = entry(PLACE, name, "", "°", PLACE_DECIMALS, {"exact": Formula(LENGTHS[GREATEST].value)}, head)
+    place = entry(PLACE, name, "", "°", PLACE_DECIMALS, {"exact": Formula(LENGTHS[GREATEST])}, head)
     return {one.key: one for one in (own, in_newtons(own), place)}
 
 
@@ -318,51 +319,39 @@ def _scaled(scale: Real) -> arb:
 
 def _number(question: ExtremesRequest, column: Column, place: Place, times: int) -> Number | None:
     key, order, ratio = RESIDUALS[place["residual"]], question.lines[place["order"]], place["ratio"]
-    scale = Real.of(1)
-    if column.quantity.needs and question.weighed is not None:
-        if not question.weighed.knows(key):
-            return None
-        scale = question.in_newtons.scale(key)
+    unit = question.unit(column.quantity, key)
+    if unit is None:
+        return None
     if order is None:
         curve = question.curve(key, ratio)
         if not (curve.waves or curve.slides):
             return None if column.quantity.key == PLACE else EXACT_ZERO
         if curve.slides or len(curve.waves) > 1:
-            return _of_all(question, column, key, ratio, scale)
+            return _of_all(question, column, key, ratio, unit)
         order = curve.waves[0].order
-    return _of_order(question, column, question.residuals[key, order], (key, order, ratio))
-
-
-def _of_order(
-    question: ExtremesRequest, column: Column, residual: Residual, where: tuple[str, int, int]
-) -> Number | None:
-    key, order, ratio = where
     scale = factor(order, Crank(question.ratios[ratio]), question.method)
+    residual = question.residuals[key, order]
     if column.quantity.key == PLACE:
         # The two vectors meet where k φ + arg f = arg b - k φ.
         meeting = Vector(residual.backward * residual.forward.mirrored())
         return None if scale.rational == 0 else meeting.number(column.places, question.rounding, 2 * order)
-    if scale.rational == 0 or LENGTHS[GREATEST].vanishes(residual):
-        return EXACT_ZERO
-    if column.quantity.needs and question.weighed is not None:
-        scale *= question.in_newtons.scale(key)
-    return certified_length(LENGTHS[GREATEST], residual, column.places, scale, question.rounding)
+    return number_in(question, column, key, LENGTHS[GREATEST](residual) * scale)
 
 
 def _of_all(question: ExtremesRequest, column: Column, key: str, ratio: int, scale: Real) -> Number:
     found = question.greatest(key, ratio)
-    if column.quantity.key == PLACE:
-        return Number(
-            rounded(lambda: _printed_degrees(found), column.places, question.rounding, NEVER_TIES),
-            column.places,
-        )
 
     def tie_bits(boundary: Fraction) -> float:
         return 0.0 if _is_reached(question, (key, ratio), found, boundary / known(scale.rational)) else inf
 
-    ties = NEVER_TIES if scale.rational is None else tie_bits
-    value = rounded(lambda: scale.on(balls()) * found.length(), column.places, question.rounding, ties)
-    return Number(value, column.places)
+    ties = NEVER_TIES if scale.rational is None or column.quantity.key == PLACE else tie_bits
+
+    def value() -> arb:
+        if column.quantity.key == PLACE:
+            return _printed_degrees(found)
+        return ball(scale.on(balls())) * found.length()
+
+    return Number(rounded(value, column.places, question.rounding, ties), column.places)
 
 
 def _printed_degrees(found: Greatest) -> arb:

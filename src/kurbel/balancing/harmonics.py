@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, ball, rounded
-from kurbel.exact.numerals import Label, Number, nearest
+from kurbel.exact.numerals import Label, Number
+from kurbel.exact.real import Real
 from kurbel.kernel import harmonics
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Term
@@ -80,15 +80,8 @@ def rational(harmonic: Harmonic, order: int, crank: Crank, method: str = "exact"
     return sum((one.coefficient * ratio**one.power for one in terms if one.power <= 1), Fraction(0))
 
 
-def certified(
-    harmonic: Harmonic,
-    order: int,
-    crank: Crank,
-    decimals: int,
-    method: str = "exact",
-    rounding: str = "half-away",
-) -> Number:
-    """Return the coefficient in its unit, correctly rounded to so many decimals.
+def real(harmonic: Harmonic, order: int, crank: Crank, method: str = "exact") -> Real:
+    """Return the coefficient in its unit.
 
     No value lies on a rounding boundary, other than those of `rational`: for 0 < λ < 1 the rest are
     transcendental. π A_2m is a K(λ) + b E(λ) with rational a and b: for m = 1 by its integral, then by the
@@ -102,12 +95,20 @@ def certified(
     check_straight(crank)
     exact = rational(harmonic, order, crank, method)
     if exact is not None:
-        return nearest(exact, decimals, rounding)
+        return Real.of(exact)
+    return Real.transcendental(lambda kind: harmonic.value(order, kind.of(crank.ratio)))
 
-    def value() -> Numeric:
-        return harmonic.value(order, ball(crank.ratio))
 
-    return Number(rounded(value, decimals, rounding, NEVER_TIES), decimals)
+def certified(
+    harmonic: Harmonic,
+    order: int,
+    crank: Crank,
+    decimals: int,
+    method: str = "exact",
+    rounding: str = "half-away",
+) -> Number:
+    """Return the coefficient, correctly rounded to so many decimals."""
+    return real(harmonic, order, crank, method).number(decimals, rounding)
 
 
 def printed_orders(harmonic: Harmonic, last: int) -> tuple[int, ...]:
@@ -130,8 +131,6 @@ TERMS = 3
 LAST_SERIES = 6
 # The powers of λ that the formulas of a method keep.
 POWERS: Mapping[str, float] = {"exact": inf, "series": 1, "infinite": 0}
-EXACT_ZERO = Number(0, 0)
-"""A value that is 0 by proof is printed as 0, one that is only small as 0.0000."""
 ORDER = words("Ordnung|Order")
 SERIES = words("Mit $λ = {ratio}$: |With $λ = {ratio}$: ")
 ODD = words("Ungerade Ordnungen über 1 sind 0|Odd orders above 1 are 0")
@@ -248,18 +247,9 @@ class _HeadedRatioAxis(RatioAxis):
         return (f"{self.symbol}, ${self.layout.ratio_symbol}$", *super().heads(place))
 
 
-def harmonic_number(
-    harmonic: Harmonic, order: int, crank: Crank, decimals: int, method: str, rounding: str
-) -> Number:
-    """Return the printed coefficient."""
-    if rational(harmonic, order, crank, method) == 0:
-        return EXACT_ZERO
-    return certified(harmonic, order, crank, decimals, method, rounding)
-
-
 def _number(question: HarmonicsRequest, column: Column, place: Place, times: int) -> Number:
     order, crank = question.orders[place["order"]], Crank(question.ratios[place["ratio"]])
-    return harmonic_number(question.harmonic, order, crank, column.places, question.method, question.rounding)
+    return certified(question.harmonic, order, crank, column.places, question.method, question.rounding)
 
 
 def _notes(question: HarmonicsRequest) -> Iterator[Label]:

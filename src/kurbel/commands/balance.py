@@ -9,12 +9,11 @@ from functools import partial
 from typing import ClassVar
 
 from kurbel.balancing.angles import AngleRequest
-from kurbel.balancing.arrangement import usual
+from kurbel.balancing.arrangement import CrankWithMasses, usual
 from kurbel.balancing.balance_page import BalanceRequest, arranged
 from kurbel.balancing.firing import FiringRequest, asked, read_order
 from kurbel.balancing.greatest import ExtremesRequest
 from kurbel.balancing.harmonics import MOST_ORDERS
-from kurbel.balancing.vector import CrankWithMasses
 from kurbel.commands.harmonics import HarmonicsOptions
 from kurbel.commands.options import Choice, Count, Option, alone, amount, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of

@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import flint
 
-from kurbel.balancing.arrangement import LENGTHS, Residual, certified_length
-from kurbel.balancing.harmonics import EXACT_ZERO, MOST_ORDERS, ORDER
+from kurbel.balancing.harmonics import MOST_ORDERS, ORDER
+from kurbel.balancing.vector import Vector
 from kurbel.drive.at import known
 from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import AnyTurn, Member, members_of
@@ -35,6 +35,7 @@ from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, at_bits
 from kurbel.exact.numerals import Label, Number, nearest
+from kurbel.exact.real import EXACT_ZERO
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Star
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place, RatioAxis, UnletteredAxis
@@ -194,7 +195,7 @@ def number_of(column: Column, at: At, rounding: str) -> Number | None:
     """Return the printed number; None of the phase of nothing."""
     needs, is_phase = column.quantity.needs, column.quantity.key in PHASES
     if STAR in needs:
-        return _star(at, column.places, rounding)
+        return Vector(star(at)).length().number(column.places, rounding)
     if SPEED not in needs:
         if at.wave is None:
             return None if is_phase else EXACT_ZERO
@@ -204,13 +205,6 @@ def number_of(column: Column, at: At, rounding: str) -> Number | None:
             best, error = estimate(column, at)
             return supported(float(best), error, column.places, rounding, is_phase)
     return certified(lambda: value(column.quantity, at), column, rounding, NEVER_TIES)
-
-
-def _star(at: At, decimals: int, rounding: str) -> Number:
-    length, residual = LENGTHS["forward"], Residual(star(at), Star())
-    if length.vanishes(residual):
-        return EXACT_ZERO
-    return certified_length(length, residual, decimals, rounding=rounding)
 
 
 def estimate(column: Column, at: At) -> Estimate:

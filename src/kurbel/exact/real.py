@@ -84,6 +84,11 @@ class Real:
     __add__, __sub__, __mul__, __truediv__ = map(_operation, (add, sub, mul, truediv))
     __radd__, __rsub__, __rmul__, __rtruediv__ = (_operation(one, True) for one in (add, sub, mul, truediv))
 
+    def __abs__(self) -> Real:
+        if self.share is not None:
+            return Real.of(abs(self.share), self.pi)
+        return Real(lambda kind: abs(self.on(kind)))
+
     def root(self) -> Real:
         """Return the square root of a number that is not negative."""
 

@@ -9,8 +9,8 @@ from math import ceil, isfinite, nan
 from typing import NamedTuple
 
 from kurbel.balancing.angles import AngleRequest
+from kurbel.balancing.arrangement import IN_NEWTONS
 from kurbel.balancing.balance_page import RESIDUALS, UNITS, WORDS, BalanceRequest
-from kurbel.balancing.vector import IN_NEWTONS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Number
 from kurbel.page.axes import RATIO, Axis, ListAxis, PageAxis, Place, places
