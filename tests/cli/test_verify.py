@@ -38,7 +38,8 @@ PAGES = {
     "forces --force 5kN --stroke crank:300mm --step 90": 3 * 10,
     f"forces --stroke 600mm --speed 2/s {MASSES.partition('bar ')[2]} --head-pressure 2bar --friction 500N"
      " --piston-rod 50mm --slope vertical --angle 0;40;180 --columns phi,crosshead_load_n,bearing_force_n": 6,
-    f"forces --eps 4 {MASSES} --rod-mass 50kg --centre 0.6 --gyration 30% --step 90": 5 * 9,
+    f"forces --eps 4 {MASSES} --rod-mass 50kg --clearance 8% --release 92% --cushion 80% --lead 1%"
+    " --piston-rod 9cm --tail-rod 4cm --centre 0.6 --gyration 30% --step 90": 5 * 9,
     "forces --pressure-ratio 4 --step 120": 4 * 5,
     "turning --eps 3 --back 0.1 --exponent 1.2 --clearance 5% --cranks 0;90 --step 120": 4 * 4,
     f"turning --eps 4 {MASSES} --rod-mass 50kg --centre 0.6 --gyration 0.3 --slope 20 --method series"

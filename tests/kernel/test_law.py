@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 
 from kurbel import verify
 from kurbel.exact.certify import at_bits, ball
-from kurbel.kernel.law import BothSides, Constant, Cubics, Law, Polytrope
+from kurbel.kernel.law import Constant, Cubics, Law, Polytrope, Stroke
 from kurbel.verify import enclose
 from kurbel.verify.numbers import number
 
@@ -41,7 +41,7 @@ def stroke(case: tuple[Fraction, ...], of: Any, exponent_of: Any = None) -> Any:
         (Polytrope(of(Fraction(1)), 1 + clearance, exponent, 1 + clearance, -1), Constant(ratio)),
         ((1 + clearance) * (1 - 1 / root),),
     )
-    return BothSides(leaving, coming)
+    return Stroke(leaving, coming)
 
 
 @each_case

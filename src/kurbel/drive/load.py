@@ -16,7 +16,7 @@ from kurbel.reading.given import as_signed_force, found_at
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
-    from kurbel.kernel.forces import Stroke
+    from kurbel.kernel.law import Stroke
 
 LARGEST_FORCE = 10**12
 AGAINST = {"de": ", gegen die Richtung des Hubes", "en": ", against the direction of the stroke"}

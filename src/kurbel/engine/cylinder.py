@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from kurbel.engine.engine import Assembly, Engine
     from kurbel.exact.kind import Kind
     from kurbel.kernel.circle import Circle, Numeric
-    from kurbel.kernel.forces import Stroke
+    from kurbel.kernel.law import Stroke
 
 # The spans of a turn that have extremes of their own.
 OUTSTROKE, RETURN_STROKE, WHOLE = 0, 1, None

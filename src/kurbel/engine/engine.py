@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING
 
 from kurbel.drive.at import Weights, known
 from kurbel.drive.crank import Crank
@@ -20,7 +20,7 @@ from kurbel.engine.loads.ideal import LEAST_WORK, Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.forces import Stroke
+from kurbel.kernel.law import Stroke
 from kurbel.reading.notation import about, check_bounds
 
 if TYPE_CHECKING:
@@ -44,30 +44,6 @@ class Load:
     def __post_init__(self) -> None:
         check_bounds("the bore", self.bore, "be above 0", " m")
         check_bounds("the pressure", self.pressure, "be above 0 and at most 10^12 Pa", " Pa")
-
-
-class ScaledLoad(NamedTuple):
-    """A stroke on a share of the area, with a force that does not change; a `share` of None is the whole."""
-
-    stroke: Stroke
-    area: Numeric | None
-    push: Numeric
-
-    @property
-    def corners(self) -> Sequence[Numeric]:
-        return self.stroke.corners
-
-    def force(self, share: Numeric) -> Numeric:
-        return self._scaled(self.stroke.force(share)) + self.push
-
-    def work(self, share: Numeric) -> Numeric:
-        return self._scaled(self.stroke.work(share)) + self.push * share
-
-    def slope(self, share: Numeric) -> Numeric:
-        return self._scaled(self.stroke.slope(share))
-
-    def _scaled(self, value: Numeric) -> Numeric:
-        return value if self.area is None else self.area * value
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,30 +108,16 @@ class Engine:
 
     def strokes(self, kind: Kind) -> Sequence[Stroke]:
         """Return the strokes of the load on the piston as it is, with its rods and its friction."""
-        found, friction = self._pressed(kind), self.friction(kind)
-        return found if friction is None else tuple(ScaledLoad(one, None, -friction) for one in found)
-
-    def _pressed(self, kind: Kind) -> Sequence[Stroke]:
-        """Return the strokes with the rods' areas alone."""
-        strokes = self.steam.strokes(kind, self.double)
-        areas = None if self.crank.effort is None else self.crank.effort.areas
-        if areas is None or areas.head == areas.crank == 1:
+        strokes, effort = self.steam.strokes(kind, self.double), self.crank.effort
+        if effort is None:
             return strokes
-        # The areas behind the piston and before it, on the outstroke and on the return.
-        sides = (areas.head, areas.crank), (areas.crank, areas.head)
-        if self.carded:
-            from kurbel.engine.card.force import on_areas
-
-            cards: Sequence[Any] = strokes
-            return tuple(
-                on_areas(one, float(behind), float(before))
-                for one, (behind, before) in zip(cards, sides, strict=True)
-            )
-        # Steam presses on the side behind the piston, the back pressure on the other.
-        back = self.ideal.numbers(kind.of, kind.exponent).back
+        friction, sides = self.friction(kind), None
+        if effort.areas is not None:
+            sides = kind.of(effort.areas.head), kind.of(effort.areas.crank)
+        # What is behind the piston on the outstroke is before it on the return.
         return tuple(
-            ScaledLoad(one, kind.of(behind), back * kind.of(behind - before))
-            for one, (behind, before) in zip(strokes, sides, strict=True)
+            one._replace(areas=sides if number % 2 == 0 or sides is None else sides[::-1], friction=friction)
+            for number, one in enumerate(strokes)
         )
 
     def friction(self, kind: Kind) -> Numeric | None:
@@ -203,13 +165,9 @@ class Engine:
                 "--piston-rod and --tail-rod are for double-acting cylinders under steam or an indicator"
                 " card; leave them out"
             )
-        if effort.areas is not None and not getattr(self.steam, "plain", True):
-            raise ProblemError(
-                "--piston-rod and --tail-rod are for steam without --release, --cushion and --lead; leave"
-                " them out"
-            )
-        made = (self._pressed(floats()), self.strokes(floats()))
-        work, left = (sum(float(one.work(1.0)) for one in strokes) for strokes in made)
+        rubbed = self.strokes(floats())
+        left = sum(float(one.work(1.0)) for one in rubbed)
+        work = sum(float(one._replace(friction=None).work(1.0)) for one in rubbed)
         if work > 0 and left < LEAST_WORK:
             raise ProblemError(
                 f"the friction of {float(effort.friction):g} N takes all that the load gives; no engine runs"

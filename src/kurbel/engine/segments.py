@@ -36,7 +36,7 @@ from kurbel.exact.search import (
 )
 from kurbel.exact.taylor import ComplexNumber
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.forces import Stroke
+from kurbel.kernel.law import Stroke
 
 PRECISIONS_KEPT = 32
 # Shares of a segment at which nothing is likely to be zero.

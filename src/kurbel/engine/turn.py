@@ -335,7 +335,7 @@ class WeisbachTurn(Turn):
         angle = at - ball(begun)
         acting = self.part.ideal.numbers(ball)
         loss = acting.back / acting.cut_off
-        work = acting.work(flint.arb(1)) / acting.cut_off
+        work = (acting.work(flint.arb(1)) - acting.back) / acting.cut_off
         ratio = ball(SIGNS[stroke] * self.engine.crank.ratio)
         half = (angle / 2).sin_cos_pi()
         relation = steam.weisbach_maximum(half, circle(angle), ratio, loss, work, flint.arb.pi())

@@ -23,16 +23,12 @@ if TYPE_CHECKING:
 
 def work(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the work of all cylinders in a turn, in Q R, positive as done on the cranks."""
-    return (
-        2 * turn.pi * turn.indicated_force()
-        if len(turn.engine.parts) > 1
-        else _on_areas(turn.engine.parts[0], _own(turn))
-    )
+    return 2 * turn.pi * turn.indicated_force()
 
 
 def mean_pressure(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the mean pressure of an end of a cylinder that works, in units of the pressure that Q is of."""
-    return abs(_mean_pressure(turn.engine.parts[0], _own(turn)))
+    return abs(mean_pressure_of(turn.engine.parts[0], turn.cylinder.kind))
 
 
 def power(turn: AnyTurn, where: TurnPlace) -> Numeric:
@@ -86,35 +82,12 @@ def ends(engine: Engine) -> Fraction:
     return Fraction(4 if engine.double else 2, getattr(engine.steam, "strokes_of_cycle", 2))
 
 
-def _own(turn: AnyTurn) -> tuple[Kind, Numeric]:
-    """The kind of number of a turn, and the length of the stroke in R."""
-    return turn.cylinder.kind, turn.cylinder.drive.length
-
-
-def _work(engine: Engine, own: tuple[Kind, Numeric]) -> Numeric:
-    kind, length = own
-    strokes = engine.steam.strokes(kind, engine.double)
-    cycle = sum(one.work(kind.of(Fraction(1))) for one in strokes)
-    return cycle * length * kind.of(Fraction(2 * len(engine.starts), len(strokes)))
-
-
-def _on_areas(engine: Engine, own: tuple[Kind, Numeric]) -> Numeric:
-    """The same on the piston's areas: in each end the load does as much as on the bore's, less the rod's."""
-    effort, whole = engine.crank.effort, _work(engine, own)
-    if effort is None or effort.areas is None:
-        return whole
-    return whole * own[0].of((effort.areas.head + effort.areas.crank) / 2)
-
-
-def _mean_pressure(engine: Engine, own: tuple[Kind, Numeric]) -> Numeric:
-    kind, _ = own
-    return _work(engine, (kind, 1)) / kind.of(ends(engine) * len(engine.starts))
-
-
 def mean_pressure_of(engine: Engine, kind: Kind) -> Numeric:
     """Return the mean pressure in each end of a cylinder that works, on a kind of number; negative where the
     shaft drives the piston."""
-    return _mean_pressure(engine, (kind, 1))
+    strokes = engine.steam.strokes(kind, engine.double)
+    cycle: Numeric = sum(one.work(kind.of(Fraction(1))) for one in strokes)
+    return cycle * kind.of(2 / (len(strokes) * ends(engine)))
 
 
 def stage_work(key: str, turn: AnyTurn, where: TurnPlace) -> Numeric:
@@ -135,13 +108,9 @@ def _itself(value: Fraction) -> Fraction:
     return value
 
 
-def _expansion_work(steam: Expansion, whole: Numeric) -> Numeric:
-    return steam.work(whole) - steam.full_pressure_work(whole)
-
-
 _STAGES: dict[str, Callable[[Expansion, Numeric], Numeric]] = {
     "full_pressure_work": lambda steam, whole: steam.cut_off * whole,
-    "expansion_work": _expansion_work,
+    "expansion_work": lambda steam, whole: steam.work(whole) - steam.cut_off * whole,
     "back_work": lambda steam, whole: steam.back * whole,
 }
 

@@ -35,11 +35,14 @@ net pressure on its piston over the share travelled, and the work of that pressu
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Generic, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple
 
 from kurbel.kernel import kinematics, steam
 from kurbel.kernel.circle import Circle, Kind, Numeric, cosine_of, root
 from kurbel.kernel.kinematics import rod_slant
+
+if TYPE_CHECKING:
+    from kurbel.kernel.law import Stroke
 
 
 def rod_force(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
@@ -207,22 +210,6 @@ def _chosen(sign: Any, above: Any, below: Any, falling: Any) -> Numeric:
 
 # Of the circle, λ and, of an offset crank, e/R.
 Formula = Callable[..., Numeric]
-
-
-class Stroke(Protocol):
-    """The net pressure on the piston and its work, over the share of the stroke travelled.
-
-    `corners` are the shares at which the force has one, `slope` its change with the share.
-    """
-
-    @property
-    def corners(self) -> Sequence[Numeric]: ...
-
-    def force(self, share: Numeric) -> Numeric: ...
-
-    def work(self, share: Numeric) -> Numeric: ...
-
-    def slope(self, share: Numeric) -> Numeric: ...
 
 
 class Motion(NamedTuple):

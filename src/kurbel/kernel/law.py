@@ -14,15 +14,15 @@ from functools import reduce
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.steam import expansion_work, larger, power, smaller
+from kurbel.kernel.steam import Expansion, expansion_work, larger, power, smaller
 
 
 class Piece(Protocol):
-    """A pressure between two corners, and its work from one share to another."""
+    """A pressure between two corners or over the whole stroke, and its work up to a share from another on."""
 
     def pressure(self, share: Numeric) -> Numeric: ...
 
-    def work(self, start: Numeric, end: Numeric) -> Numeric: ...
+    def work(self, share: Numeric, start: Numeric = 0) -> Numeric: ...
 
     def slope(self, share: Numeric) -> Numeric: ...
 
@@ -35,8 +35,8 @@ class Constant(NamedTuple):
     def pressure(self, share: Numeric) -> Numeric:
         return self.level
 
-    def work(self, start: Numeric, end: Numeric) -> Numeric:
-        return self.level * (end - start)
+    def work(self, share: Numeric, start: Numeric = 0) -> Numeric:
+        return self.level * (share - start)
 
     def slope(self, share: Numeric) -> Numeric:
         return 0 * self.level
@@ -53,8 +53,8 @@ class Line(NamedTuple):
     def pressure(self, share: Numeric) -> Numeric:
         return self.first + self._rise() * (share - self.start)
 
-    def work(self, start: Numeric, end: Numeric) -> Numeric:
-        return (self.pressure(start) + self.pressure(end)) / 2 * (end - start)
+    def work(self, share: Numeric, start: Numeric = 0) -> Numeric:
+        return (self.pressure(start) + self.pressure(share)) / 2 * (share - start)
 
     def slope(self, share: Numeric) -> Numeric:
         return self._rise() + 0 * share
@@ -78,10 +78,10 @@ class Polytrope(NamedTuple):
     def pressure(self, share: Numeric) -> Numeric:
         return self.level * power(self.volume / self._filled(share), self.exponent)
 
-    def work(self, start: Numeric, end: Numeric) -> Numeric:
+    def work(self, share: Numeric, start: Numeric = 0) -> Numeric:
         """Return the work on the piston as it moves on; that of a shrinking volume is the pressure's own."""
         begun = self._filled(start)
-        gain = expansion_work(self._filled(end) / begun, self.exponent)
+        gain = expansion_work(self._filled(share) / begun, self.exponent)
         return self.pressure(start) * begun * self.growing * gain
 
     def slope(self, share: Numeric) -> Numeric:
@@ -116,7 +116,7 @@ class Law(NamedTuple):
     def whole(self) -> Numeric:
         """Return the work of the whole stroke, on numbers that need not compare."""
         ends = zip(self.pieces, (0, *self.corners), (*self.corners, 1), strict=True)
-        return sum(piece.work(start, end) for piece, start, end in ends)
+        return sum(piece.work(end, start) for piece, start, end in ends)
 
     def around(self, share: Numeric) -> tuple[int, ...]:
         """Return the pieces on which a float or a ball lies: at a corner those on both sides."""
@@ -130,7 +130,7 @@ class Law(NamedTuple):
 
     def _at(self, share: Numeric, value: Callable[[int, Numeric], Numeric]) -> Numeric:
         if not self.corners:
-            return value(0, share) + 0 * share if hasattr(share, "shape") else value(0, share)
+            return value(0, share)
         if hasattr(share, "shape"):
             return self._of_array(share, value)
         if hasattr(share, "piecewise"):
@@ -152,8 +152,8 @@ class Law(NamedTuple):
 
     def _work(self, index: int, share: Numeric) -> Numeric:
         starts = (0 * share, *self.corners)
-        before = (self.pieces[one].work(starts[one], starts[one + 1]) for one in range(index))
-        return sum(before, self.pieces[index].work(starts[index], share))
+        before = (self.pieces[one].work(starts[one + 1], starts[one]) for one in range(index))
+        return sum(before, self.pieces[index].work(share, starts[index]))
 
 
 class Cubics:
@@ -182,10 +182,6 @@ class Cubics:
     def slope(self, share: Numeric) -> Numeric:
         """Return the change of the pressure with the share; of a ball over a knot that on both sides."""
         return self._at(share, _slope)
-
-    def times(self, factor: float) -> Cubics:
-        """Return so many times the pressure."""
-        return Cubics(self.knots, factor * self.powers, self.corners)
 
     def _at(self, share: Any, value: Callable[[Sequence[Numeric], Numeric], Numeric]) -> Numeric:
         if hasattr(share, "shape"):
@@ -221,37 +217,46 @@ def _work(piece: Sequence[Numeric], at: Numeric) -> Any:
     return (((0.75 * (cube * at) + square) * at / 3 + line / 2) * at + level) * at + begun
 
 
-Side: TypeAlias = Law | Cubics
-"""What the pressure in one end of a cylinder is."""
+Side: TypeAlias = Piece | Law | Cubics | Expansion
+"""What the pressure in one end of a cylinder is; a piece alone fills the stroke."""
 
 
-class BothSides(NamedTuple):
-    """A stroke of the piston between two ends of a cylinder: the law behind it less the law before it."""
+class Stroke(NamedTuple):
+    """A stroke of the piston between two ends of a cylinder: the law behind it less the law before it.
+
+    `areas` are those of the piston behind and before it as shares of the bore's, None without rods. What the
+    `friction` takes is a pressure on the bore, too. Of pressures that do not change an array has the one.
+    """
 
     behind: Side
     before: Side
+    areas: tuple[Numeric, Numeric] | None = None
+    friction: Numeric | None = None
 
     def force(self, share: Numeric) -> Numeric:
         """Return the net pressure in the direction of the stroke."""
-        return self.behind.pressure(share) - self.before.pressure(share)
+        found = self._net(self.behind.pressure(share), self.before.pressure(share))
+        return found if self.friction is None else found - self.friction
 
     def work(self, share: Numeric) -> Numeric:
         """Return the work done on the piston from the dead centre to a share of the stroke."""
-        return self.behind.work(share) - self.before.work(share)
+        found = self._net(self.behind.work(share), self.before.work(share))
+        return found if self.friction is None else found - self.friction * share
 
     def slope(self, share: Numeric) -> Numeric:
         """Return the change of the force with the share."""
-        return self.behind.slope(share) - self.before.slope(share)
+        return self._net(self.behind.slope(share), self.before.slope(share))
 
     @property
     def corners(self) -> tuple[Numeric, ...]:
         """The shares within the stroke at which the force has a corner or jumps, in no order."""
-        return (*self.behind.corners, *self.before.corners)
+        sides = (self.behind, self.before)
+        return tuple(corner for side in sides for corner in getattr(side, "corners", ()))
 
-
-def steady(level: Numeric) -> Law:
-    """Return a pressure that is the same over the whole stroke."""
-    return Law((Constant(level),))
+    def _net(self, behind: Numeric, before: Numeric) -> Numeric:
+        if self.areas is None:
+            return behind - before
+        return self.areas[0] * behind - self.areas[1] * before
 
 
 def _either(values: Sequence[Any]) -> Numeric:

@@ -1,4 +1,4 @@
-"""Steam in the cylinder: pressure and work over the share of the stroke, with cut-off and expansion.
+"""Steam in an end of the cylinder: pressure and work over the share of the stroke, with its expansion.
 
 Pressures are in units of the steam pressure before cut-off, work in units of that pressure times the whole
 stroke: a piston force Q works 2 Q R times the work here. The share counts from the dead centre at which
@@ -17,7 +17,7 @@ class Expansion(NamedTuple):
     """A stroke with cut-off at its share 1/ε, then expansion by p V^n = const from the volume 1/ε + κ.
 
     The clearance κ is a share of the volume swept in a stroke; n = 1 is Mariotte's law. The back pressure b
-    acts on the other face throughout the stroke.
+    is that on the other face.
     """
 
     cut_off: Numeric
@@ -26,7 +26,7 @@ class Expansion(NamedTuple):
     clearance: Numeric
 
     def pressure(self, share: Numeric) -> Numeric:
-        """Return the pressure on the piston at a share of the stroke, back pressure not taken off."""
+        """Return the pressure on the piston at a share of the stroke."""
         return power(1 / self.growth(share), self.exponent)
 
     @property
@@ -34,30 +34,21 @@ class Expansion(NamedTuple):
         """The shares of the stroke at which the force has a corner."""
         return (self.cut_off,) if self.cut_off < 1 else ()
 
-    def force(self, share: Numeric) -> Numeric:
-        """Return the net pressure, less the back pressure."""
-        return self.pressure(share) - self.back
-
     def work(self, share: Numeric) -> Numeric:
         """Return the work done on the piston from the dead centre to a share of the stroke.
 
-        Source: Weisbach-Herrmann, § 150 (A₁ + A₂ - A₃); the exponent and the clearance are ours.
+        Source: Weisbach-Herrmann, § 150 (A₁ + A₂); the exponent and the clearance are ours.
         """
         gain = expansion_work(self.growth(share), self.exponent)
-        return self.full_pressure_work(share) + (self.cut_off + self.clearance) * gain
+        return smaller(share, self.cut_off) + (self.cut_off + self.clearance) * gain
 
     def whole(self) -> Numeric:
         """Return the work of the whole stroke, on numbers that need not compare."""
         room = self.cut_off + self.clearance
-        gain = expansion_work((1 + self.clearance) / room, self.exponent)
-        return self.cut_off + room * gain - self.back
-
-    def full_pressure_work(self, share: Numeric) -> Numeric:
-        """Return the work without that of the expansion."""
-        return smaller(share, self.cut_off) - self.back * share
+        return self.cut_off + room * expansion_work((1 + self.clearance) / room, self.exponent)
 
     def slope(self, share: Numeric) -> Numeric:
-        """Return the change of the force with the share, a ball; over the cut-off it holds both sides."""
+        """Return the change of the pressure with the share, a ball; over the cut-off it holds both sides."""
         if share < self.cut_off:
             return share * 0
         beyond: Any = self.expansion_slope(share)
@@ -75,23 +66,6 @@ class Expansion(NamedTuple):
         # Before cut-off the volume at cut-off stands in: one formula for both periods, also for a ball that
         # reaches over both.
         return larger(share, self.cut_off) + self.clearance
-
-
-class IdleStroke(NamedTuple):
-    """A stroke on which no net pressure acts."""
-
-    @property
-    def corners(self) -> tuple[Numeric, ...]:
-        return ()
-
-    def force(self, share: Numeric) -> Numeric:
-        return share * 0
-
-    def work(self, share: Numeric) -> Numeric:
-        return share * 0
-
-    def slope(self, share: Numeric) -> Numeric:
-        return share * 0
 
 
 def best_back(cut_off: Numeric, exponent: Numeric, clearance: Numeric) -> Numeric:

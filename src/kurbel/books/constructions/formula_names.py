@@ -107,7 +107,7 @@ def _steam_force(at: PlacedDrive) -> Numeric:
     if steam is None:
         return at.number(1)
     acting = steam.numbers(at.kind.of, at.kind.exponent)
-    return acting.force(_share(at))
+    return acting.pressure(_share(at)) - acting.back
 
 
 def _tangential(at: PlacedDrive) -> Numeric:

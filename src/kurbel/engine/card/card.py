@@ -17,7 +17,7 @@ from kurbel.drive.moved import Drive, Moved
 from kurbel.errors import CardError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import circle
-from kurbel.kernel.forces import Stroke
+from kurbel.kernel.law import Stroke
 from kurbel.reading.csv_file import place
 
 # Nearer points are one point: a pressure that jumps is no function of the position.

@@ -34,7 +34,7 @@ from kurbel.engine.arrays import FloatTurn
 from kurbel.engine.card.card import Card, CycleCard, Diagram
 from kurbel.engine.engine import Assembly, Engine
 from kurbel.errors import CardError, ProblemError
-from kurbel.kernel.law import BothSides, Cubics, steady
+from kurbel.kernel.law import Constant, Cubics, Stroke
 
 Points: TypeAlias = NDArray[np.float64]
 
@@ -57,14 +57,13 @@ NEAR = 1e-4
 @lru_cache(KEPT)
 def card_strokes(
     card: Card | CycleCard, double_acting: bool, other_side: float | None = None, unit: float | None = None
-) -> tuple[BothSides, ...]:
+) -> tuple[Stroke, ...]:
     """Return the strokes of a piston whose cylinder end gave the card, two or four.
 
     Double-acting: both ends give this card, each from its own dead centre, so that the pressure before the
     piston is p_return at the position 1 - share; the strokes are alike. Single-acting: the other face has
-    the pressure other_side in Pa throughout, which counts from the zero of the card. Piston rods are those of
-    `on_areas`, unequal ends are left out. `unit` in Pa stands in for the card's own greatest p_forward.
-    Derived by us.
+    the pressure other_side in Pa throughout, which counts from the zero of the card. `unit` in Pa stands in
+    for the card's own greatest p_forward. Derived by us.
     """
     scale = card.admission if unit is None else unit
     curves = [curve(shares, [one / scale for one in pressures]) for shares, pressures in card.courses()]
@@ -74,23 +73,15 @@ def card_strokes(
                 f"{card.name} is over two turns, and its cylinder works on one side of the piston; add"
                 " --single-acting and, for the other face, --other-side, for example 1bar"
             )
-        both = BothSides(*curves)
+        both = Stroke(curves[0], curves[1])
         return both, both
     if other_side is None:
         raise ProblemError(
             "a single-acting piston has a pressure on its other face, which the card does not tell;"
             " give it as --other-side, for example 1bar"
         )
-    other = steady(other_side / scale)
-    return tuple(
-        BothSides(other, one) if index % 2 else BothSides(one, other) for index, one in enumerate(curves)
-    )
-
-
-def on_areas(stroke: BothSides, behind: float, before: float) -> BothSides:
-    """Return the stroke of a piston with these shares of the bore's area behind and before it."""
-    sides: Any = stroke
-    return BothSides(sides.behind.times(behind), sides.before.times(before))
+    other = Constant(other_side / scale)
+    return tuple(Stroke(other, one) if index % 2 else Stroke(one, other) for index, one in enumerate(curves))
 
 
 class _Corner(NamedTuple):

@@ -16,7 +16,7 @@ from kurbel.engine.loads.ideal import LEAST_WORK, check_clearance, check_exponen
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.law import BothSides, Constant, Law, Polytrope, steady
+from kurbel.kernel.law import Constant, Law, Piece, Polytrope, Stroke
 from kurbel.kernel.steam import expansion_work, logarithm, power
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about, check_bounds, plain
@@ -51,11 +51,11 @@ class _Ends(NamedTuple):
         """Return the share of the stroke on which air is sucked."""
         return 1 + self.clearance * (1 - self.regrowth)
 
-    def leaving(self) -> Law:
+    def leaving(self) -> Piece | Law:
         """Return the pressure in the end that the piston leaves: what is left expands, then air is sucked."""
         suction = Constant(self.suction)
         if not self.kept:
-            return Law((suction,))
+            return suction
         expanding = Polytrope(self.delivery, self.clearance, self.left_exponent, self.clearance, 1)
         return Law((expanding, suction), (self.clearance * (self.regrowth - 1),))
 
@@ -136,14 +136,14 @@ class Compressor:
                 f"--expansion-exponent is computed for one stage, and {self.stages} were given; leave it out"
             )
 
-    def strokes(self, kind: Kind, double: bool) -> tuple[BothSides, BothSides]:
+    def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, Stroke]:
         """Return both strokes; single-acting, air is sucked on the outstroke and compressed on the return."""
         ends = self._ends(kind)
         if double:
-            both = BothSides(ends.leaving(), ends.coming())
+            both = Stroke(ends.leaving(), ends.coming())
             return both, both
-        other = steady(kind.of(self.other_side))
-        return BothSides(ends.leaving(), other), BothSides(other, ends.coming())
+        other = Constant(kind.of(self.other_side))
+        return Stroke(ends.leaving(), other), Stroke(other, ends.coming())
 
     def volumetric_efficiency(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the share of the stroke on which air is sucked: 1 + κ - κ Π'^(1/n), Π' in the cylinder and n
@@ -373,13 +373,13 @@ class Pump:
         """Whether its other side is a ring."""
         return self.kind == DIFFERENTIAL
 
-    def strokes(self, kind: Kind, double: bool) -> tuple[BothSides, BothSides]:
+    def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, Stroke]:
         """Return both strokes; but for the double-acting pump the outstroke sucks, the return delivers."""
-        filling, other = steady(kind.of(self.suction)), steady(kind.of(Fraction(0)))
-        emptying = steady(kind.of(self.suction + 1))
+        filling, other = Constant(kind.of(self.suction)), Constant(kind.of(Fraction(0)))
+        emptying = Constant(kind.of(self.suction + 1))
         if self.double:
-            return BothSides(filling, emptying), BothSides(filling, emptying)
+            return Stroke(filling, emptying), Stroke(filling, emptying)
         if self.differential:
             # The ring has the delivery pressure on both strokes.
-            other = steady(kind.of(self.small_area * (self.suction + 1)))
-        return BothSides(filling, other), BothSides(other, emptying)
+            other = Constant(kind.of(self.small_area * (self.suction + 1)))
+        return Stroke(filling, other), Stroke(other, emptying)

@@ -12,7 +12,7 @@ from kurbel.engine.loads.ideal import LEAST_WORK, check_exponent
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.law import BothSides, Constant, Law, Polytrope, steady
+from kurbel.kernel.law import Constant, Law, Piece, Polytrope, Stroke
 from kurbel.kernel.steam import power
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about, check_bounds, plain
@@ -84,18 +84,18 @@ class GasCycle:
         """How many strokes a cycle has."""
         return 2 if self.two_stroke else 4
 
-    def strokes(self, kind: Kind, double: bool) -> tuple[BothSides, ...]:
+    def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, ...]:
         """Return the expansion, the exhaust, the suction and the compression; of two strokes the first and
         the last."""
-        points, atmosphere = self._points(kind), steady(kind.of(Fraction(1)))
+        points, atmosphere = self._points(kind), Constant(kind.of(Fraction(1)))
         whole = 1 + points.clearance
         compressed = Polytrope(kind.of(Fraction(1)), whole, points.compression, whole, -1)
-        expansion = BothSides(self._expansion(points), atmosphere)
-        compression = BothSides(atmosphere, Law((compressed,)))
+        expansion = Stroke(self._expansion(points), atmosphere)
+        compression = Stroke(atmosphere, compressed)
         if self.two_stroke:
             return expansion, compression
-        exhaust = BothSides(atmosphere, steady(kind.of(self.exhaust)))
-        return expansion, exhaust, BothSides(atmosphere, atmosphere), compression
+        exhaust = Stroke(atmosphere, Constant(kind.of(self.exhaust)))
+        return expansion, exhaust, Stroke(atmosphere, atmosphere), compression
 
     def efficiency(self, kind: Kind) -> Numeric:
         """Return the share of the heat that becomes work, the change of the charge not counted.
@@ -114,11 +114,11 @@ class GasCycle:
         """Whether both curves have one exponent, above 1, as adiabatic ones of a gas have."""
         return self.expansion_exponent in (None, self.exponent) and self.exponent > 1
 
-    def _expansion(self, points: _Points) -> Law:
+    def _expansion(self, points: _Points) -> Piece | Law:
         volume = points.clearance * points.cut_off
         expanding = Polytrope(points.peak, volume, points.expansion, points.clearance, 1)
         if self.cycle == OTTO:
-            return Law((expanding,))
+            return expanding
         return Law((Constant(points.peak), expanding), (volume - points.clearance,))
 
     def _points(self, kind: Kind) -> _Points:

@@ -12,9 +12,8 @@ from kurbel.drive.load import STEAM
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.forces import Stroke
-from kurbel.kernel.law import BothSides, Constant, Law, Line, Piece, Polytrope, steady
-from kurbel.kernel.steam import Expansion, IdleStroke, best_back, power
+from kurbel.kernel.law import Constant, Law, Line, Piece, Polytrope, Stroke
+from kurbel.kernel.steam import Expansion, best_back, power
 from kurbel.reading.notation import about, check_bounds, plain, too_small
 
 LARGEST_EXPANSION = 10**6
@@ -58,15 +57,15 @@ class Steam:
     def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, Stroke]:
         """Return the force of both strokes, on a kind of number; single-acting, the return idles, or
         compresses."""
-        if not self.plain:
-            behind, before = self._laws(self.numbers(kind.of, kind.exponent), kind)
-            both = BothSides(behind, before)
-            if double:
-                return both, both
-            other = steady(self.numbers(kind.of, kind.exponent).back)
-            return BothSides(behind, other), BothSides(other, before)
-        acting: Stroke = self.numbers(kind.of, kind.exponent)
-        return acting, acting if double else IdleStroke()
+        numbers = self.numbers(kind.of, kind.exponent)
+        other, idle = Constant(numbers.back), Constant(kind.of(Fraction(0)))
+        if self.plain:
+            acting = Stroke(numbers, other)
+            return acting, acting if double else Stroke(idle, idle)
+        behind, before = self._laws(numbers, kind)
+        if double:
+            return Stroke(behind, before), Stroke(behind, before)
+        return Stroke(behind, other), Stroke(other, before)
 
     def __post_init__(self) -> None:
         if self.expansion < 1:
@@ -100,7 +99,7 @@ class Steam:
         if self.back is None:
             known = known._replace(back=best_back(known.cut_off, known.exponent, known.clearance))
         if self.plain:
-            return known.whole()
+            return known.whole() - known.back
         behind, before = self._laws(known, kind)
         return behind.whole() - before.whole()
 
@@ -182,11 +181,10 @@ class Steam:
             )
 
     def _check_work(self) -> None:
-        acting = self.numbers(float)
-        if (acting.work(1.0) if self.plain else self.mean(floats())) > LEAST_WORK:
+        if self.mean(floats()) > LEAST_WORK:
             return
         ratio = plain(self.expansion)
-        limit = floor(1e6 * acting._replace(back=0.0).work(1.0)) / 1e6
+        limit = floor(1e6 * self.numbers(float).work(1.0)) / 1e6
         if self.back is None:
             raise ProblemError(
                 f"expansion ratio ε = {ratio} at its best back pressure, that of the steam at the end of the"
