@@ -21,7 +21,7 @@ from kurbel.balancing.arrangement import (
     row,
     usual,
 )
-from kurbel.balancing.harmonics import HARMONICS, OrderAxis, OrdersRequest, caption, certified, series_notes
+from kurbel.balancing.harmonics import HARMONICS, OrderAxis, OrdersRequest, certified, series_notes
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
@@ -130,6 +130,11 @@ class BalanceRequest(OrdersRequest):
         return said if any(map(self.lacks, quantity.needs)) else ""
 
     @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        engine = engine_label(self.engine, self.arrangement, self.lang)
+        return {**super().caption_parts, "{engine}": engine}
+
+    @property
     def in_own_units(self) -> bool:
         """Whether a column is in units of m R ω²."""
         return any(one.key != FACTOR and not one.quantity.needs for one in self.page_columns)
@@ -233,12 +238,6 @@ def number_in(question: BalanceRequest, column: Column, key: str, value: Real) -
     return None if unit is None else (value * unit).number(column.places, question.rounding)
 
 
-def _caption(question: BalanceRequest) -> Label:
-    return caption(question).replace(
-        "{engine}", engine_label(question.engine, question.arrangement, question.lang)
-    )
-
-
 def engine_label(name: str, arrangement: Arrangement, lang: str) -> Label:
     """Return what an engine is called by its name, or how many cylinders it has."""
     if name:
@@ -299,7 +298,6 @@ SUBJECT = Subject(
     own_first=False,
     quantities=balance_registry,
     number=_number,
-    caption=_caption,
     notes=balance_notes,
     drawn="kurbel.plot.pages:unbalanced",
 )

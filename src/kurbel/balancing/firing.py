@@ -24,7 +24,7 @@ from kurbel.balancing.balance_page import angle_notes, arranged, engine_label, l
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, angle_text
-from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled
+from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field, Value
 from kurbel.reading.notation import about
@@ -302,6 +302,11 @@ class FiringRequest(Question):
         # The cranks may have no such order.
         assert self.firings
 
+    @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        engine = engine_label(self.engine, self.arrangement, self.lang)
+        return {**super().caption_parts, "{engine}": engine, "{order}": self.firings[0].text}
+
     @cached_property
     def firings(self) -> tuple[Firing, ...]:
         """The orders that the page is about."""
@@ -379,12 +384,6 @@ def _shown(column: Column, about: Firing | FiringCylinder) -> Value:
     return nearest(found, column.decimals)
 
 
-def _caption(question: FiringRequest) -> Label:
-    engine = engine_label(question.engine, question.arrangement, question.lang)
-    parts = {"{engine}": engine, "{order}": question.firings[0].text}
-    return filled(question.layout.caption[question.lang], parts.items())
-
-
 def _notes(question: FiringRequest) -> Iterator[Label]:
     lang, firing = question.lang, question.firings[0]
     if not question.order:
@@ -410,7 +409,6 @@ ORDERS = Subject(
     axis_keys=("number",),
     quantities=orders_registry,
     number=_of_order,
-    caption=_caption,
     notes=_notes,
 )
 FIRING = Subject(
@@ -421,6 +419,5 @@ FIRING = Subject(
     axis_keys=("cylinder",),
     quantities=cylinders_registry,
     number=_of_cylinder,
-    caption=_caption,
     notes=_notes,
 )

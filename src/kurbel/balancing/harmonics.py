@@ -23,7 +23,7 @@ from kurbel.kernel.harmonics import Term
 from kurbel.motion.evaluation import METHODS
 from kurbel.page.axes import Place, RatioAxis, UnletteredAxis
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
@@ -179,6 +179,10 @@ class OrdersRequest(Question):
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method,)
 
+    @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        return {**super().caption_parts, "{method}": METHODS[self.method].caption[self.lang]}
+
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class HarmonicsRequest(OrdersRequest):
@@ -205,21 +209,6 @@ def _checked_ratios(ratios: tuple[Fraction, ...], method: str) -> tuple[Fraction
     for ratio in ratios:
         Crank(ratio)
     return (Fraction(0),) if choose(method, METHODS, "method") == "infinite" else ratios
-
-
-def caption(question: OrdersRequest) -> Label:
-    """Return the layout's caption with the ratio, if there is only one, and the method."""
-    layout, lang, ratios, method = question.layout, question.lang, question.ratios, question.method
-    shown = len(ratios) == 1 and method != "infinite"
-    parts = {
-        "{method}": METHODS[method].caption[lang],
-        "{for_ratio}": for_ratio(ratios[0], lang, layout.ratio_symbol) if shown else "",
-    }
-    return filled(layout.caption[lang], parts.items())
-
-
-def _caption(question: HarmonicsRequest) -> Label:
-    return caption(question).replace("{quantity}", question.page_columns[0].quantity.name[question.lang])
 
 
 class OrderAxis(UnletteredAxis):
@@ -321,6 +310,5 @@ SUBJECT = Subject(
     listed=_listed,
     letters=True,
     number=_number,
-    caption=_caption,
     notes=_notes,
 )

@@ -334,6 +334,5 @@ SUBJECT = Subject(
     own_first=False,
     quantities=quantities,
     number=_number,
-    caption=lambda question: question.layout.caption[question.lang],
     notes=_notes,
 )

@@ -89,6 +89,15 @@ class RotorRequest(Question):
     def check(self) -> None:
         _ = self.lines
 
+    @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        what = "left"
+        if self.places.balance:
+            what = "balanced"
+        elif any(None in one for one in self.rotor.masses):
+            what = "complete" if _is_complete(self) else "static"
+        return {**super().caption_parts, "{what}": WORDS[f"what_{what}"][self.lang]}
+
     @cached_property
     def solutions(self) -> tuple[tuple[PlacedMass, ...], ...]:
         return solved(self.rotor.masses)
@@ -141,15 +150,6 @@ def _line_axis(question: RotorRequest) -> ListAxis:
     )
 
 
-def _caption(question: RotorRequest) -> Label:
-    what = "left"
-    if question.places.balance:
-        what = "balanced"
-    elif any(None in one for one in question.rotor.masses):
-        what = "complete" if _is_complete(question) else "static"
-    return question.layout.caption[question.lang].replace("{what}", WORDS[f"what_{what}"][question.lang])
-
-
 def _is_complete(question: RotorRequest) -> bool:
     """Whether neither a force nor a couple is left."""
     couples = [line.moment for line in question.lines[0] if line.key == "couple"]
@@ -178,6 +178,5 @@ SUBJECT = Subject(
     own_first=False,
     quantities=quantities,
     number=_number,
-    caption=_caption,
     notes=_notes,
 )

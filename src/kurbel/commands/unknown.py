@@ -316,5 +316,5 @@ class PolynomialUnknown:
         question = self.question(value)
         return [
             WORDS["all"][lang],
-            *(one for one in question.subject.notes(question) if isinstance(one, str)),
+            *(one for one in question.below() if isinstance(one, str)),
         ]

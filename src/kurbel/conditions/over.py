@@ -24,7 +24,7 @@ from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import force_notes, loaded_notes
 from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis, angle_decimals, angle_number
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Quantity, Texts, bare, enumerated, filled, for_ratio, words
+from kurbel.page.quantity import Column, Quantity, Texts, bare, filled, words
 from kurbel.page.subject import Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.notation import about
@@ -38,25 +38,9 @@ _TRIANGLE = {
 }
 
 
-def caption(question: PathRequest) -> Label:
-    """Return the layout's caption with its quantities, the ratio, if there is only one, and the method; of
-    columns that are not the layout's, which its caption may not know, a caption of their own."""
-    layout, lang, drives = question.layout, question.lang, question.drives
-    own = {column.key for column in layout.columns}
-    foreign = bool(question.columns) and not {column.key for column in question.page_columns} <= own
-    one = len(drives) == 1 and question.method != "infinite"
-    parts = {
-        "{quantities}": enumerated((column.quantity.name[lang] for column in question.page_columns), lang),
-        "{for_ratio}": for_ratio(drives[0].ratio, lang, layout.ratio_symbol) if one else "",
-        "{method}": method_named(question.method).caption[lang],
-    }
-    return filled((WORDS["caption"] if foreign else layout.caption)[lang], parts.items())
-
-
 def notes(question: PathRequest) -> Iterator[Label]:
     """Yield the lines below the table: from where it counts, how the angle follows, formulas, lengths."""
     lang, drives, layout = question.lang, question.drives, question.layout
-    yield from (note[lang] for note in layout.notes)
     yield _counted(drives, lang)
     if layout.formulas:
         yield from _formulas(question)
@@ -221,6 +205,18 @@ class PathRequest(DriveQuestion):
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method,)
 
+    @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        return {**super().caption_parts, "{method}": method_named(self.method).caption[self.lang]}
+
+    @property
+    def filled_caption(self) -> Label:
+        """The layout's caption, or one for columns that are not the layout's, which that may not know."""
+        own = {column.key for column in self.layout.columns}
+        if not self.columns or {column.key for column in self.page_columns} <= own:
+            return super().filled_caption
+        return filled(WORDS["caption"][self.lang], self.caption_parts.items())
+
 
 class _ShareAxis(Axis):
     """Shares of the stroke, on pages in hundredths."""
@@ -272,7 +268,6 @@ MOTION = Subject(
     axis_keys=("ratio", "share"),
     quantities=quantities,
     number=_number,
-    caption=caption,
     notes=notes,
     listed=_listed,
     drawn="kurbel.plot.over_path:over_path",

@@ -338,7 +338,6 @@ def _caption(question: UnknownRequest) -> Label:
 
 
 def _notes(question: UnknownRequest) -> Iterator[Label]:
-    yield from (note[question.lang] for note in question.layout.notes)
     of_all, *of_first = next(one for one in question.asked if one.found).lines(question.lang)
     yield of_all
     if not all(one.found for one in question.asked):

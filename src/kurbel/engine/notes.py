@@ -43,7 +43,6 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     lang, subject, columns = request.lang, request.layout.subject, request.page_columns
     if marks_delta(request):
         yield Note(ENGINE["makes_delta"][lang], MAKES_DELTA)
-    yield from (note[lang] for note in request.layout.notes)
     if any(len(column.methods) > 1 for column in columns):
         yield ENGINE["difference"][lang]
     if subject in OF_IRREGULARITY:

@@ -286,7 +286,6 @@ def _caption(question: PressuresRequest) -> Label:
 
 def _notes(question: PressuresRequest) -> Iterator[Label]:
     lang, pressed = question.lang, question.pressed
-    yield from (note[lang] for note in question.layout.notes)
     yield PRESSED["signs"][lang]
     if not pressed.drive.moved(floats(), "exact").regular:
         inner = digits_text(lambda kind: 180 * pressed.drive.moved(kind, "exact").dead_centre(0), 3)

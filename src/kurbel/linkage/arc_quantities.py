@@ -176,7 +176,6 @@ def _caption(request: LinkageRequest) -> Label:
 
 def _notes(request: LinkageRequest) -> Iterator[Label]:
     lang, drives = request.lang, request.drives
-    yield from (note[lang] for note in request.layout.notes)
     yield from size_notes(request.cranks)
     speech = _moved(drives[0]).speech
     yield from dict.fromkeys(turns_label(one.crank.speed) for one in drives if one.crank.speed)

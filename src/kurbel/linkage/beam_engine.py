@@ -22,7 +22,7 @@ from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel import beam
 from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.notation import about, plain, ratio_text
@@ -250,6 +250,10 @@ class BeamRequest(Question):
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method,)
 
+    @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        return {**super().caption_parts, "{method}": METHODS[self.method][self.lang]}
+
 
 def _arm_axis(question: BeamRequest) -> ListAxis:
     """The arms of the beam in crank radii."""
@@ -265,11 +269,6 @@ def _arm_axis(question: BeamRequest) -> ListAxis:
 def _number(question: BeamRequest, column: Column, place: Place, times: int) -> Number:
     engine = BeamEngine(question.arms[place["arm"]], question.ratios[place["ratio"]])
     return certified(column.quantity, engine, column.method, column.places, question.rounding, times=times)
-
-
-def _caption(question: BeamRequest) -> Label:
-    lang = question.lang
-    return filled(question.layout.caption[lang], [("{method}", METHODS[question.method][lang])])
 
 
 def _notes(question: BeamRequest) -> Iterator[Label]:
@@ -292,7 +291,6 @@ SUBJECT = Subject(
     quantities=registry,
     letters=True,
     number=_number,
-    caption=_caption,
     notes=_notes,
     limits={"arm": lambda arm: BeamEngine(arm, Fraction(0))},
 )

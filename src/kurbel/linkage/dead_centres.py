@@ -19,7 +19,7 @@ from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.notes import size_notes, turns_label
 from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, Place
-from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, Words, entry, filled, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, Words, entry, words
 from kurbel.page.subject import Subject
 from kurbel.reading.given import as_speed
 
@@ -117,6 +117,10 @@ class DeadCentresRequest(DriveQuestion):
 
     mechanism: str
 
+    @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        return {**super().caption_parts, "{drive}": NAMES[self.mechanism][self.lang]}
+
     def missing(self, quantity: Quantity) -> str:
         if ROCKER in quantity.needs:
             if ROCKER.is_known(self.mechanism):
@@ -137,14 +141,8 @@ def _number(question: DeadCentresRequest, column: Column, place: Place, times: i
     return Number(settled(value, column.places, question.rounding), column.places)
 
 
-def _caption(question: DeadCentresRequest) -> Label:
-    lang = question.lang
-    return filled(question.layout.caption[lang], [("{drive}", NAMES[question.mechanism][lang])])
-
-
 def _notes(question: DeadCentresRequest) -> Iterator[Label]:
     lang, drives = question.lang, question.drives
-    yield from (note[lang] for note in question.layout.notes)
     yield WORDS["angles"][lang]
     yield WORDS[question.mechanism if question.mechanism in WORDS else "slide"][lang]
     yield from dict.fromkeys(line for drive in drives for line in _sizes(question, drive))
@@ -174,6 +172,5 @@ SUBJECT = Subject(
     axis_keys=("ratio",),
     quantities=registry,
     number=_number,
-    caption=_caption,
     notes=_notes,
 )

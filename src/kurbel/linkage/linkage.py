@@ -32,7 +32,7 @@ from kurbel.motion.notes import force_notes, moving_notes, size_notes, turns_lab
 from kurbel.motion.records import long_records
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
-from kurbel.page.quantity import Column, Formula, Of, Quantity, Words, enumerated, filled, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Of, Quantity, Words, filled, words
 from kurbel.page.subject import Subject, subject
 
 Point = tuple[float, float]
@@ -236,15 +236,13 @@ def captioned(question: LinkageRequest, for_drive: Label | None = None) -> Label
 
     The ratio stands at the end of a caption without a place for it, unless rows or heads have it.
     """
-    lang, layout = question.lang, question.layout
-    names = enumerated((one.quantity.name[lang] for one in question.page_columns), lang)
-    caption = layout.caption[lang]
+    parts, layout = question.caption_parts, question.layout
+    caption = layout.caption[question.lang]
     if for_drive is None:
-        one = len(question.ratios) == 1
-        for_drive = for_ratio(question.ratios[0], lang, layout.ratio_symbol) if one else ""
+        for_drive = parts["{for_ratio}"]
         if "{for_drive}" not in caption and "ratio" not in (*layout.stub, *layout.across):
             caption += "{for_drive}"
-    return filled(caption, [("{quantities}", names), ("{for_drive}", for_drive)])
+    return filled(caption, {**parts, "{for_drive}": for_drive}.items())
 
 
 def plain_notes(force: Words, motion: Words, *further: Words) -> Callable[[LinkageRequest], Iterator[Label]]:

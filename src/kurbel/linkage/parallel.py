@@ -42,7 +42,7 @@ from kurbel.motion.entries import spanned
 from kurbel.motion.evaluation import value
 from kurbel.motion.motion_quantities import Force
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis
-from kurbel.page.quantity import AND, Column, Formula, Of, Quantity, Texts, filled, words
+from kurbel.page.quantity import AND, Column, Formula, Of, Quantity, Texts, words
 from kurbel.page.subject import OVER_AXES
 from kurbel.page.table import Field
 from kurbel.reading.given import as_number, as_places
@@ -282,6 +282,11 @@ class CoupledRequest(LinkageRequest):
 
     axles: Axles
 
+    @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        axles, driven = str(len(self.axles.shares)), str(self.axles.driven)
+        return {**super().caption_parts, "{axles}": axles, "{driven}": driven}
+
 
 def _axle_axis(question: CoupledRequest) -> ListAxis:
     shares, name = question.axles.shares, AXLE[question.lang]
@@ -313,12 +318,6 @@ def _number(question: CoupledRequest, column: Column, place: Mapping[str, int], 
     return Number(settled(at, column.places, question.rounding), column.places)
 
 
-def _caption(question: CoupledRequest) -> Label:
-    axles = question.axles
-    parts = {"{axles}": str(len(axles.shares)), "{driven}": str(axles.driven)}
-    return filled(question.layout.caption[question.lang], parts.items())
-
-
 def _notes(question: CoupledRequest) -> Iterator[Label]:
     shown = [column.quantity.formulas["exact"] for column in question.page_columns]
     if line := formula_line(shown):
@@ -334,7 +333,6 @@ COUPLED = linkage_subject(
     command="table --mechanism parallel --axles",
     quantities=coupled_registry,
     notes=_notes,
-    caption=_caption,
 )._replace(
     axes={"angle": AngleAxis, "axle": _axle_axis, "column": ColumnAxis},
     axis_keys=("phi", "axle"),

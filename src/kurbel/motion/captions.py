@@ -89,7 +89,6 @@ def _is_chosen(question: Request) -> bool:
 def notes(question: Request) -> Iterator[Label]:
     """Yield the lines below the table: its own, the formulas, the machine, the offset."""
     layout, lang, columns = question.layout, question.lang, question.page_columns
-    yield from (note[lang] for note in layout.notes)
     if any(column.method == DIFFERENCE for column in columns):
         yield WORDS["difference"][lang]
     if layout.formulas:

@@ -24,7 +24,7 @@ from kurbel.motion.motion_page import MOTION, Digits, Request
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled, for_ratio
+from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled
 from kurbel.page.subject import Subject
 
 # Of a first guess, which exact digits put right, and so many of them are sure.
@@ -154,12 +154,6 @@ def _number(question: ChordRequest, column: Column, place: Place, times: int) ->
     return None if scaled is None else Number(int(scaled) * times, column.places)
 
 
-def _caption(question: ChordRequest) -> Label:
-    ratios, lang = question.ratios, question.lang
-    ratio = for_ratio(ratios[0], lang, question.layout.ratio_symbol) if len(ratios) == 1 else ""
-    return question.layout.caption[lang].replace("{for_ratio}", ratio)
-
-
 def _notes(question: ChordRequest) -> Iterator[Label]:
     layout, lang = question.layout, question.lang
     parts = {
@@ -168,7 +162,6 @@ def _notes(question: ChordRequest) -> Iterator[Label]:
         "{ratio}": layout.ratio_symbol.replace(":", "/"),
         "{count}": str(question.counted_places),
     }
-    yield from (note[lang] for note in layout.notes)
     if layout.formulas:
         yield filled(WORDS["formula"][lang], parts.items())
         yield WORDS["bound"][lang]
@@ -187,7 +180,6 @@ SUBJECT = _OF_MOTION._replace(
     command="table --layout roetscher-gf",
     quantities=quantities,
     number=_number,
-    caption=_caption,
     notes=_notes,
     rows=None,
     listed=None,

@@ -212,12 +212,6 @@ def _model_axis(question: ErrorsRequest) -> ListAxis:
     return ListAxis(MODELS, field, str, lambda model: ROD_MODELS[model][question.lang], "")
 
 
-def _caption(question: ErrorsRequest) -> Label:
-    ratios, lang = [*dict.fromkeys(question.ratios)], question.lang
-    ratio = for_ratio(ratios[0], lang, question.layout.ratio_symbol) if len(ratios) == 1 else ""
-    return question.layout.caption[lang].replace("{for_ratio}", ratio)
-
-
 def _rod_notes(question: CrankQuestion, shown: Collection[str]) -> Iterator[Label]:
     """Yield the lines about the connecting rods, and where cranks are straight the symmetry of the letters
     shown."""
@@ -235,7 +229,6 @@ def _rod_notes(question: CrankQuestion, shown: Collection[str]) -> Iterator[Labe
 
 
 def _notes(question: ErrorsRequest) -> Iterator[Label]:
-    yield from (note[question.lang] for note in question.layout.notes)
     yield from drive_notes(question.cranks, question.lang)
     yield from _rod_notes(question, [force.letter for force in FORCES])
 
@@ -280,7 +273,6 @@ SUBJECT = Subject(
     own_first=False,
     quantities=error_columns,
     number=_number,
-    caption=_caption,
     notes=_notes,
 )
 

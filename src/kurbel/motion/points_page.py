@@ -35,7 +35,7 @@ from kurbel.motion.points import RodPoint, decimals_of, with_points
 from kurbel.motion.records import long_records
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
-from kurbel.page.quantity import Column, Of, Quantity, Texts, bare, enumerated, filled, for_ratio, words
+from kurbel.page.quantity import Column, Of, Quantity, Texts, bare, words
 from kurbel.page.steps import Scene
 from kurbel.page.subject import Subject
 from kurbel.page.subject import subject as registered
@@ -44,26 +44,9 @@ from kurbel.page.table import Field
 WORDS = Texts("motion", "points")
 
 
-def caption(question: PointsRequest) -> Label:
-    """Return the layout's caption with its quantities, the point or points, the ratio and the method."""
-    lang, layout, points = question.lang, question.layout, question.points
-    rod = WORDS["rod" if question.has_ratio else "parallel"][lang]
-    of = WORDS["one" if len(points) == 1 else "several"][lang].format(point=points[0].label, rod=rod)
-    ratios = question.ratios
-    one = len(ratios) == 1 and question.method != "infinite"
-    parts = {
-        "{quantities}": enumerated((column.quantity.name[lang] for column in question.page_columns), lang),
-        "{points}": of,
-        "{for_ratio}": for_ratio(ratios[0], lang, layout.ratio_symbol) if one else "",
-        "{method}": METHODS[question.method or "exact"].caption[lang],
-    }
-    return filled(layout.caption[lang], parts.items())
-
-
 def notes(question: PointsRequest) -> Iterator[Label]:
     """Yield the lines below the table: where the point is, formulas, zeros and signs, the machine."""
     lang, layout = question.lang, question.layout
-    yield from (note[lang] for note in layout.notes)
     shown = [one.quantity for one in question.page_columns if one.key in points_registry()]
     beside = any(one.beside for one in question.points)
     driven = WORDS["crosshead" if question.mechanism.crosshead else "rocker"][lang]
@@ -203,6 +186,14 @@ class PointsRequest(AngleQuestion):
         return RATIO in self.mechanism.takes
 
     @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        rod = WORDS["rod" if self.has_ratio else "parallel"][self.lang]
+        of = WORDS["one" if len(self.points) == 1 else "several"][self.lang]
+        method = METHODS[self.method or "exact"].caption[self.lang]
+        points = of.format(point=self.points[0].label, rod=rod)
+        return {**super().caption_parts, "{points}": points, "{method}": method}
+
+    @property
     def subject(self) -> Subject[Self]:
         return SUBJECT if self.has_ratio else RODLESS
 
@@ -312,7 +303,6 @@ SUBJECT = Subject(
     axis_keys=(RATIO, "point", "phi"),
     quantities=quantities,
     number=_number,
-    caption=caption,
     notes=notes,
     rows=long_records,
     listed=lambda: [("table --point 0.5", one) for one in points_registry().values()],

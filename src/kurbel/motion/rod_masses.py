@@ -171,7 +171,6 @@ def _model_axis(question: RodMassesRequest, models: Sequence[str] = tuple(MODELS
 
 def _notes(question: RodMassesRequest) -> Iterator[Label]:
     lang = question.lang
-    yield from (note[lang] for note in question.layout.notes)
     yield connecting_rod(question.rod, lang)
     if question.length is not None:
         yield ", ".join(_sizes(question, question.length))
@@ -203,7 +202,6 @@ SUBJECT = Subject(
     axis_keys=("model",),
     quantities=registry,
     number=_number,
-    caption=lambda question: question.layout.caption[question.lang],
     notes=_notes,
     letters=True,
 )

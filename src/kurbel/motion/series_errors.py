@@ -33,7 +33,7 @@ from kurbel.motion.entries import in_units
 from kurbel.motion.motion_page import CrankQuestion
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import ColumnAxis, Place, RatioAxis, UnletteredAxis
-from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Quantity, Texts, entry, filled, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
@@ -201,15 +201,8 @@ def _angle(greatest: Greatest, column: Column, times: int, rounding: str) -> Num
     return Number(settled(lambda _: times * kernel(greatest), column.places, rounding), column.places)
 
 
-def _caption(question: SeriesErrorsRequest) -> Label:
-    ratios, lang = question.ratios, question.lang
-    ratio = for_ratio(ratios[0], lang, question.layout.ratio_symbol) if len(ratios) == 1 else ""
-    return question.layout.caption[lang].replace("{for_ratio}", ratio)
-
-
 def _notes(question: SeriesErrorsRequest) -> Iterator[Label]:
     layout, lang = question.layout, question.lang
-    yield from (note[lang] for note in layout.notes)
     yield WORDS["over"][lang]
     terms = ", ".join(f"$n = {order}$: ${_left_out(order)}$" for order in question.orders)
     parts = {"{terms}": terms, "{ratio}": layout.ratio_symbol.replace(":", "/")}
@@ -233,6 +226,5 @@ SUBJECT = Subject(
     own_first=False,
     quantities=error_columns,
     number=_number,
-    caption=_caption,
     notes=_notes,
 )

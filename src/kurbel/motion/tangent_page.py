@@ -62,7 +62,6 @@ class TangentRequest(CrankQuestion):
 
 
 def _notes(question: TangentRequest) -> Iterator[Label]:
-    yield from (note[question.lang] for note in question.layout.notes)
     yield from drive_notes(question.cranks, question.lang)
     yield from force_notes(question.cranks, question.lang)
 
@@ -90,6 +89,5 @@ SUBJECT = Subject(
     quantities=quantities,
     listed=tuple,
     number=_number,
-    caption=lambda question: question.layout.caption[question.lang],
     notes=_notes,
 )

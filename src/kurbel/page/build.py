@@ -73,9 +73,7 @@ def _built(question: Question, pages: bool, whole: bool) -> Table:
         caption=about.caption(question),
         panels=panels(*_watched(*(about.grid or own_grid)(question))) if whole else (),
         records=_records(question.for_data),
-        notes=tuple(
-            one if isinstance(one, Note) else Note(one) for one in (*about.notes(question), *further)
-        ),
+        notes=tuple(one if isinstance(one, Note) else Note(one) for one in (*question.below(), *further)),
         source=question.origin,
         templates=tuple(os.fspath(one) for one in (question.templates, layout.folder) if one),
         pause=layout.pause,

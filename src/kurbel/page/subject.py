@@ -14,7 +14,18 @@ from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
 from kurbel.page.axes import Axis, Grid, PageAxis, Place
 from kurbel.page.labels import plain
 from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
-from kurbel.page.quantity import Column, Known, Need, Of, Quantity, is_short, known_at
+from kurbel.page.quantity import (
+    Column,
+    Known,
+    Need,
+    Of,
+    Quantity,
+    enumerated,
+    filled,
+    for_ratio,
+    is_short,
+    known_at,
+)
 from kurbel.page.table import Field, Note, Records, Tone, Value, Worded, check_label
 from kurbel.reading.given import FrozenValue, allowed_name, choose, found_at
 from kurbel.reading.names import others, otherwise
@@ -63,8 +74,8 @@ class Subject(NamedTuple, Generic[Q]):
     axis_keys: tuple[str, ...]
     quantities: Callable[[], Mapping[str, Quantity]]
     number: Callable[[Q, Column, Place, int], Value]
-    caption: Callable[[Q], Label]
     notes: Callable[[Q], Iterable[Label | Note]]
+    caption: Callable[[Q], Label] = lambda question: question.filled_caption  # type: ignore[attr-defined]
     page_notes: Callable[[Q], Iterable[Label]] = lambda question: ()
     own_first: bool = True
     of: tuple[Of, ...] = ()
@@ -248,6 +259,26 @@ class Question(Worded, FrozenValue):
     def apart(self) -> list[str]:
         """The keys of the axes that tell records apart."""
         return [one.key for one in self.axes.values() if isinstance(one, Axis) and one.tells_apart]
+
+    @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        """What stands for the places in braces of a caption: quantities, and the ratio if there is one."""
+        lang, ratios = self.lang, {*getattr(self, "ratios", ())}
+        one = len(ratios) == 1 and getattr(self, "method", None) != "infinite"
+        return {
+            "{quantities}": enumerated((column.quantity.name[lang] for column in self.page_columns), lang),
+            "{for_ratio}": for_ratio(ratios.pop(), lang, self.layout.ratio_symbol) if one else "",
+        }
+
+    @property
+    def filled_caption(self) -> Label:
+        """The layout's caption with its places in braces filled."""
+        return filled(self.layout.caption[self.lang], self.caption_parts.items())
+
+    def below(self) -> Iterator[Label | Note]:
+        """Yield the lines below the table: those of the layout, then what its subject says."""
+        yield from (note[self.lang] for note in self.layout.notes)
+        yield from self.subject.notes(self)
 
     def __len__(self) -> int:
         """How many records there are."""

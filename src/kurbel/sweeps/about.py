@@ -101,7 +101,7 @@ class SweepDescription:
 
 
 def _notes(question: Question) -> Iterator[str]:
-    for note in question.subject.notes(question):
+    for note in question.below():
         yield note.text if isinstance(note, Note) else note
 
 

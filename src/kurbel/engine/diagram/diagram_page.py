@@ -227,7 +227,6 @@ def _caption(question: DiagramRequest) -> Label:
 
 def _torque_notes(question: TorquesRequest) -> Iterator[Label]:
     lang, excess = question.lang, question.excess
-    yield from (note[lang] for note in question.layout.notes)
     yield WORDS["signs"][lang]
     yield "; ".join(_taken(question))
     yield from question.flywheel()
@@ -253,7 +252,6 @@ def _taken(question: TorquesRequest) -> Iterator[Label]:
 
 def _area_notes(question: AreasRequest) -> Iterator[Label]:
     lang, areas = question.lang, question.areas
-    yield from (note[lang] for note in question.layout.notes)
     yield WORDS["area_signs"][lang]
     if not areas.measured:
         times, unit = unit_of_page("J")

@@ -43,7 +43,6 @@ def caption(question: WheelRequest) -> Label:
 def notes(question: WheelRequest) -> Iterator[Label]:
     """Yield the lines below the table: its formulas, what was taken, where the speed is greatest."""
     lang, wheel = question.lang, question.wheels[0]
-    yield from (note[lang] for note in question.layout.notes)
     if "delta" in wheel.figures and "rim_mass" in wheel.figures and "omega" not in wheel.figures:
         swing = "$ΔW$" if wheel.figures["rim_share"].value.rational == 1 else "$J_R/J ΔW$"
         yield OF_WHEELS["rim_speeds"][lang].replace("{swing}", swing)

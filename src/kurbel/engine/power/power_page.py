@@ -270,7 +270,6 @@ def notes(request: PowerRequest) -> Iterator[Label]:
     """Yield the lines below the table."""
     lang, duty, source = request.lang, request.duty, request.sources[0]
     shown = {column.key for column in request.page_columns}
-    yield from (note[lang] for note in request.layout.notes)
     if isinstance(source, ActingPressure) and "relative_pressure" in shown:
         yield f"$p$ {COUNTED_IN[source.name][lang]}"
     if given := ", ".join(_given(duty, source)):
