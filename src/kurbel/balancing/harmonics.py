@@ -201,6 +201,10 @@ class HarmonicsRequest(OrdersRequest):
     def page_columns(self) -> tuple[Column, ...]:
         return (self.column(replace(self.layout.columns[0], quantity=self.harmonic.key)),)
 
+    @property
+    def caption_parts(self) -> Mapping[str, Label]:
+        return {**super().caption_parts, "{quantity}": self.page_columns[0].quantity.name[self.lang]}
+
 
 def _checked_ratios(ratios: tuple[Fraction, ...], method: str) -> tuple[Fraction, ...]:
     """Return the ratios by the method; raise a KurbelError for one that no crank may have."""
