@@ -32,7 +32,7 @@ FORMULAS: list[Callable[[Any, Any], Any]] = [
     forces.rod_force,
     forces.guide_force,
     forces.radial_force,
-    lambda point, ratio: linkage.coupler(point).rise_acceleration,
+    lambda point, ratio: -linkage.coupler_place(point).across,
 ]
 
 

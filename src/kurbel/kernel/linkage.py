@@ -279,36 +279,14 @@ def _turn(tangent: Numeric) -> tuple[Numeric, Numeric]:
     return 2 * tangent / scale, (1 - tangent) * (1 + tangent) / scale
 
 
-class Coupler(NamedTuple, Generic[Kind]):
-    """The motion of any point of the rod, in units of R, v and v²/R.
-
-    `path` is the way along the line of shafts from φ = 0, positive as the piston path, `rise` that square to
-    it; velocities and accelerations are theirs.
-    """
-
-    path: Kind
-    rise: Kind
-    velocity: Kind
-    rise_velocity: Kind
-    acceleration: Kind
-    rise_acceleration: Kind
-
-
-def coupler(circle: Circle[Numeric]) -> Coupler[Numeric]:
-    """Return the motion of the rod of a parallel crank.
-
-    The piston's motion with an infinite rod, and that square to it; for the return stroke likewise. Exact but
-    for what the circle rounded. The angle between rod and crank is φ itself: at 0° and 180° all four links
-    lie in line, and the second crank may turn back (antiparallel crank) unless a further pair prevents it.
-    """
-    return Coupler(circle.versine, circle.sine, circle.sine, circle.cosine, circle.cosine, -circle.sine)
-
-
 def coupler_place(circle: Circle[Numeric]) -> Place[Numeric]:
-    """Return where the rod of a parallel crank stands, whose way is along the line of shafts.
+    """Return where any point of the rod of a parallel crank stands, whose way is along the line of shafts.
 
-    The forces that one force F along this line calls up at a crank are those of any place: F sin φ across it
-    and F cos φ along it.
+    The piston's motion with an infinite rod, as of a Scotch yoke, and that square to it; for the return
+    stroke likewise. Exact but for what the circle rounded. The angle between rod and crank is φ itself: at 0°
+    and 180° all four links lie in line, and the second crank may turn back (antiparallel crank) unless a
+    further pair prevents it. The forces that one force F along this line calls up at a crank are those of any
+    place: F sin φ across it and F cos φ along it.
     """
     nothing = circle.sine * 0
     sine, cosine, versine = circle.sine, circle.cosine, circle.versine

@@ -161,6 +161,16 @@ def force_entries(printed: Mapping[str, Formula], masses: bool = False) -> Itera
     yield from motion_quantities.torque_entries(torque, newton("tangential_force", torque), of=Of.FORCE)
 
 
+def sine_forces() -> Iterator[Quantity]:
+    """Yield the forces of a drive whose slide goes as the crank pin does along its way."""
+    return force_entries(
+        {
+            "tangential_force": force_formula("tangential_force", "$T/F = sin φ$"),
+            "radial_force": force_formula("radial_force", "$Z/F = cos φ$"),
+        }
+    )
+
+
 def _alone(key: str, shares: Formulas) -> Formulas:
     return shares
 

@@ -22,7 +22,7 @@ from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.coupler import Rod, crank_pin
-from kurbel.kernel.linkage import Place, coupler, coupler_place
+from kurbel.kernel.linkage import Place, coupler_place
 from kurbel.linkage.linkage import (
     Linkage,
     LinkageMechanism,
@@ -30,12 +30,11 @@ from kurbel.linkage.linkage import (
     LinkageRequest,
     Outline,
     Point,
-    force_entries,
-    force_formula,
     force_lines,
     formula_line,
     linkage_subject,
     plain_notes,
+    sine_forces,
 )
 from kurbel.motion import motion_quantities
 from kurbel.motion.entries import spanned
@@ -87,31 +86,28 @@ def _stand(pin: Point) -> LinkagePosition:
 _ALONG = "längs der Wellenlinie|along the line of shafts"
 _ACROSS = "quer zur Wellenlinie|square to the line of shafts"
 _PATH, _SPEED, _GAIN = "Weg|Path", "Geschwindigkeit|Velocity", "Beschleunigung|Acceleration"
-# Field of Coupler, direction, name, symbol, heading, value, unit.
-_COUPLER = (
-    ("path", _ALONG, _PATH, "x", "x/R", "1 - cos φ", "$R$"),
-    ("velocity", _ALONG, _SPEED, "c_x", "c_x/v", "sin φ", "$v$"),
-    ("acceleration", _ALONG, _GAIN, "p_x", "(p_x R)/v^2", "cos φ", "$v^2/R$"),
-    ("rise", _ACROSS, _PATH, "y", "y/R", "sin φ", "$R$"),
-    ("rise_velocity", _ACROSS, _SPEED, "c_y", "c_y/v", "cos φ", "$v$"),
-    ("rise_acceleration", _ACROSS, _GAIN, "p_y", "(p_y R)/v^2", "-sin φ", "$v^2/R$"),
-)
+# Key, direction, name, symbol, heading, value, unit, formula.
+_COUPLER: tuple[tuple[str, str, str, str, str, str, str, Callable[[At], Numeric]], ...] = (
+    ("path", _ALONG, _PATH, "x", "x/R", "1 - cos φ", "$R$", lambda at: at.place.along),
+    ("velocity", _ALONG, _SPEED, "c_x", "c_x/v", "sin φ", "$v$", lambda at: at.place.sine),
+    ("acceleration", _ALONG, _GAIN, "p_x", "(p_x R)/v^2", "cos φ", "$v^2/R$", lambda at: at.place.cosine),
+    ("rise", _ACROSS, _PATH, "y", "y/R", "sin φ", "$R$", lambda at: at.place.sine),
+    ("rise_velocity", _ACROSS, _SPEED, "c_y", "c_y/v", "cos φ", "$v$", lambda at: at.place.cosine),
+    ("rise_acceleration", _ACROSS, _GAIN, "p_y", "(p_y R)/v^2", "-sin φ", "$v^2/R$",
+     lambda at: -at.place.sine),
+)  # fmt: skip
 
 
 @cache
 def parallel_registry() -> Mapping[str, Quantity]:
     """Return every quantity of the parallel crank by its key."""
-    forces = {
-        "tangential_force": force_formula("tangential_force", "$T/F = sin φ$"),
-        "radial_force": force_formula("radial_force", "$Z/F = cos φ$"),
-    }
-    return {one.key: one for one in (*_coupler_entries(), *_rod_entries(), *force_entries(forces))}
+    return {one.key: one for one in (*_coupler_entries(), *_rod_entries(), *sine_forces())}
 
 
 def _coupler_entries() -> Iterator[Quantity]:
-    for field, part, name, symbol, heading, printed, unit in _COUPLER:
-        formula = Formula(_field(field), f"${heading} = {printed}$")
-        one = spanned(f"coupler_{field}", name, f"${symbol}$", f"${heading}$", unit, 4, {"exact": formula})
+    for key, part, name, symbol, heading, printed, unit, kernel in _COUPLER:
+        formula = Formula(kernel, f"${heading} = {printed}$")
+        one = spanned(f"coupler_{key}", name, f"${symbol}$", f"${heading}$", unit, 4, {"exact": formula})
         yield one._replace(spanners=(words(part), *one.spanners), part=words(part))
 
 
@@ -124,10 +120,6 @@ def _rod_entries() -> Iterator[Quantity]:
         none = Formula(lambda at: at.numbers.of(Fraction(0)), f"${letter} = 0$")
         head = f"${letter}/{unit.replace('²', '^2')}$"
         yield spanned(key, name, f"${letter}$", head, unit, 4, {"exact": none})
-
-
-def _field(name: str) -> Callable[[At], Numeric]:
-    return lambda at: getattr(coupler(at.circle), name)
 
 
 _POINTS = tuple(f"${plain(angle)}°$" for angle in CHANGE_POINTS)

@@ -14,18 +14,17 @@ from kurbel.drive.crank import RODLESS, Crank, DescribedDrive
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle, Numeric
-from kurbel.kernel.linkage import Place
+from kurbel.kernel.linkage import Place, coupler_place
 from kurbel.linkage.linkage import (
     Linkage,
     LinkageMechanism,
     LinkagePosition,
     Outline,
     Point,
-    force_entries,
-    force_formula,
     in_strokes,
     linkage_subject,
     plain_notes,
+    sine_forces,
 )
 from kurbel.motion.entries import headed, in_units, measured
 from kurbel.page.quantity import Formula, Quantity, words
@@ -42,8 +41,7 @@ class Yoke(Linkage):
     crank: Crank = RODLESS
 
     def place(self, stroke: int, circle: Circle[Numeric], kind: Kind) -> Place[Numeric]:
-        nothing, (sine, cosine, way) = circle.sine * 0, (circle.sine, circle.cosine, circle.versine)
-        return Place(way, way, nothing, nothing, nothing + 1, sine, cosine, sine)
+        return coupler_place(circle)
 
     def outline(self) -> Outline:
         return Outline(TITLE, ((0, 0),), -1, 1 + ROD, _stand)
@@ -59,11 +57,7 @@ def _stand(pin: Point) -> LinkagePosition:
 @cache
 def yoke_registry() -> Mapping[str, Quantity]:
     """Return every quantity of the Scotch yoke by its key."""
-    forces = {
-        "tangential_force": force_formula("tangential_force", "$T/F = sin φ$"),
-        "radial_force": force_formula("radial_force", "$Z/F = cos φ$"),
-    }
-    return {one.key: one for one in (*_motion(), *force_entries(forces))}
+    return {one.key: one for one in (*_motion(), *sine_forces())}
 
 
 def _motion() -> Iterator[Quantity]:
