@@ -25,7 +25,7 @@ from kurbel.motion.notes import loaded_notes
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import AND, Column, Quantity, Words, bare, words
-from kurbel.page.subject import Question, Subject, subject
+from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
 from kurbel.reading.given import SHARE
@@ -55,7 +55,6 @@ WORDS: Mapping[str, Words] = {
     "unusable": words("{values} unbrauchbar, jenseits $±1$|{values} unusable, beyond $±1$"),
     "condition": words("Bedingung|Condition"),
     "stroke": words("Hub|Stroke"),
-    "path_stroke": words("Weg auf dem Bogen in Teilen des Hubes|Path along the arc in strokes"),
 }
 
 
@@ -200,28 +199,15 @@ TURN = Quantity(
 def quantities() -> Mapping[str, Quantity]:
     """Return what pages can show of all drives; everything counts from the dead centre of its stroke."""
     found = {key: one for name in MECHANISMS for key, one in mechanism(name).conditions().items()}
-    return {TURN.key: TURN, **{key: one for key, one in found.items() if key not in _own()}, **_own()}
-
-
-@cache
-def _own() -> Mapping[str, Quantity]:
-    """Return what pages of the mechanisms themselves do not show."""
-    return {
-        key: one
-        for name in MECHANISMS
-        for key, one in mechanism(name).conditions().items()
-        if key not in subject(mechanism(name).subject).quantities()
-    }
+    return {TURN.key: TURN, **found}
 
 
 def own_columns() -> Iterator[tuple[str, Quantity]]:
     """Yield what no other page has, with the command that prints it."""
-    nothing, own = words(""), _own()
-    named = {key: WORDS[key] for key in ("condition", "stroke")}
-    for key, name in (named | {key: WORDS.get(key, one.name) for key, one in own.items()}).items():
-        yield "solve", Quantity(key, name, "", nothing, None, {}, nothing)
-        if key == "stroke":
-            yield "solve", TURN
+    nothing = words("")
+    for key in ("condition", "stroke"):
+        yield "solve", Quantity(key, WORDS[key], "", nothing, None, {}, nothing)
+    yield "solve", TURN
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache
 from math import isqrt, pi, tan
 from typing import ClassVar
 
@@ -20,10 +19,9 @@ from kurbel.exact.course import Course
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.place import SQUARE, Centre, Place
 from kurbel.kernel.circle import Circle, Numeric
-from kurbel.linkage.arc_quantities import arc_registry
-from kurbel.linkage.linkage import LinkageDrive, in_strokes
+from kurbel.linkage.linkage import LinkageDrive
 from kurbel.linkage.rocker import RockerCrank, direct
-from kurbel.motion.evaluation import OUT, STROKES
+from kurbel.motion.evaluation import STROKES
 from kurbel.page.quantity import Of, Quantity, Words, words
 from kurbel.reading.notation import about, check_bounds
 
@@ -170,20 +168,8 @@ def _length(steps: int) -> str:
     return about(Fraction(steps, _STEPS))
 
 
-PATH_SHARE = "path_stroke"
 # Half turns about the middle of the stroke within which t = tan ½(φ - 90°) stays far from infinity.
 HALF_REACH = 0.45
-
-
-@cache
-def arc_columns() -> Mapping[str, Quantity]:
-    """Return what can be shown of a place: the outstroke's quantities, which stand for either stroke."""
-    return with_share({key: one for key, one in arc_registry().items() if one.stroke == OUT})
-
-
-def with_share(own: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
-    """Return the quantities with the path's share of the stroke."""
-    return {"path": own["path"], PATH_SHARE: in_strokes(own["path"]), **own}
 
 
 class ArcDrive(LinkageDrive):
@@ -193,10 +179,6 @@ class ArcDrive(LinkageDrive):
         super().__init__(crank, page)
         self.arc = crank
         self.centre = self._centre()
-
-    @staticmethod
-    def columns_of(page: str) -> Mapping[str, Quantity]:
-        return arc_columns()
 
     @property
     def is_straight(self) -> bool:
@@ -224,7 +206,7 @@ class ArcDrive(LinkageDrive):
             found = self.value(velocity, half_turn_circle(half_turns), balls())
             return ball(found * self._gauge(quantity))
 
-        ends = {"path": (Fraction(0), None), PATH_SHARE: (Fraction(0), Fraction(1))}
+        ends = {"path": (Fraction(0), None), "path_stroke": (Fraction(0), Fraction(1))}
         return replace(course, slope=rise, ends=ends.get(quantity.key, (None, None)))
 
     def _dead_angles(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
@@ -237,6 +219,6 @@ class ArcDrive(LinkageDrive):
         """Return by how much the path, its share or the rocker's angle grows in half a turn at v = 1."""
         if quantity.key == "path":
             return ball_pi()
-        if quantity.key == PATH_SHARE:
+        if quantity.key == "path_stroke":
             return ball_pi() / self.arc.way(balls())
         return ball(-180 * quantity.stroke * self.arc.curvature)

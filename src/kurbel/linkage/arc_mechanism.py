@@ -15,7 +15,7 @@ from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.kernel.circle import Numeric
-from kurbel.linkage.arc import ArcCrank, ArcDrive, arc_columns
+from kurbel.linkage.arc import ArcCrank, ArcDrive
 from kurbel.linkage.arc_quantities import LEFT, arc_registry
 from kurbel.linkage.linkage import LinkageMechanism, LinkageRequest, captioned, force_lines, linkage_subject
 from kurbel.linkage.rocker import RockerCrank
@@ -358,9 +358,6 @@ class Arc(RockerMechanism):
 
     def solved(self, drives: Sequence[ArcCrank], method: str | None) -> tuple[ArcDrive, ...]:
         return tuple(map(ArcDrive, drives))
-
-    def conditions(self) -> Mapping[str, Quantity]:
-        return arc_columns()
 
 
 def _arc(said: DescribedDrive, crank: Crank) -> ArcCrank:

@@ -11,7 +11,13 @@ from kurbel.drive.at import At, known
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Numeric
-from kurbel.linkage.linkage import LinkageRequest, force_entries, force_formula, linkage_subject
+from kurbel.linkage.linkage import (
+    LinkageRequest,
+    force_entries,
+    force_formula,
+    in_strokes,
+    linkage_subject,
+)
 from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.entries import OF_ROD, headed, in_units, measured, on_strokes
 from kurbel.motion.inertia import inertia_registry
@@ -100,7 +106,8 @@ def arc_registry() -> Mapping[str, Quantity]:
 
 def _arc_entries() -> Iterator[Quantity]:
     name = "Weg auf dem Bogen|Path along the arc"
-    yield from in_units("path", name, "x", "R", Formula(_path), of=Of.STROKE, names=("path", "x"), rises=True)
+    path = headed("path", name, "x", "R", Formula(_path), of=Of.STROKE, names=("path", "x"), rises=True)
+    yield from (path, in_strokes(path), measured(path))
     name = "Geschwindigkeit|Velocity"
     yield from in_units("velocity", name, "c", "v", _VELOCITY, names=("velocity", "c"))
     name, names = "Beschleunigung|Acceleration", ("acceleration", "p")

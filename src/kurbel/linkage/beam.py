@@ -30,7 +30,7 @@ from kurbel.exact.numerals import Label, exact_text
 from kurbel.exact.place import Place
 from kurbel.kernel import beam
 from kurbel.kernel.circle import Numeric
-from kurbel.linkage.arc import ArcDrive, with_share
+from kurbel.linkage.arc import ArcDrive
 from kurbel.linkage.arc_mechanism import NAMES as ARC_NAMES
 from kurbel.linkage.arc_mechanism import WORDS as ARC_WORDS
 from kurbel.linkage.arc_mechanism import MechanismWords, RockerMechanism, named, printed
@@ -38,7 +38,6 @@ from kurbel.linkage.arc_quantities import OF_TURN, arc_registry
 from kurbel.linkage.beam_engine import BeamEngine, chord_square
 from kurbel.linkage.linkage import FORCES, linkage_subject
 from kurbel.linkage.rocker import RockerCrank
-from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Quantity, Words, words
 from kurbel.reading.notation import about
 
@@ -200,21 +199,11 @@ def _place(engine: BeamEngine, precision: int) -> tuple[arb, arb]:
 AT_REST = ("velocity", "tangential_force", "torque")
 
 
-@cache
-def beam_columns() -> Mapping[str, Quantity]:
-    """Return what can be shown of a place: the outstroke's quantities, which stand for either stroke."""
-    return with_share({key: one for key, one in beam_registry().items() if one.stroke == OUT})
-
-
 class BeamDrive(ArcDrive):
     """The beam engine."""
 
     def __init__(self, crank: BeamCrank, page: str = "beam") -> None:
         super().__init__(crank, page)
-
-    @staticmethod
-    def columns_of(page: str) -> Mapping[str, Quantity]:
-        return beam_columns()
 
     def is_free(self, quantity: Quantity) -> bool:
         return False
@@ -277,9 +266,6 @@ class Beam(RockerMechanism):
 
     def solved(self, drives: Sequence[BeamCrank], method: str | None) -> tuple[BeamDrive, ...]:
         return tuple(map(BeamDrive, drives))
-
-    def conditions(self) -> Mapping[str, Quantity]:
-        return beam_columns()
 
 
 MECHANISM = Beam()
