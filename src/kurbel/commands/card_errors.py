@@ -34,7 +34,7 @@ def error_of(second: SecondComputation, key: str, method: str, row: Row) -> Valu
     """Return how far a number of a turn may be off. Raises ProblemError for one that is none."""
     if key not in ("mean_force", "delta", *_ANGLES, *_OF_WORK):
         raise ProblemError(f"how far a card lets {key} be off is not computed a second time")
-    turn, at = second.turn(method, row), second.degrees(row)
+    turn, at = second.turn(method, row), second.place(row)
     stroke = row.get("stroke", "turn")
 
     def found() -> Number:

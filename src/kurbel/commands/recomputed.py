@@ -1,8 +1,7 @@
 """What each page asks the second computation for: a column by its key becomes one value.
 
 A page is of a command; its function takes what was asked for, the key of a column in the unit of the second
-computation, its method and the row. Where the angle is what is printed, it is a `Root`: the condition is put
-back, and other columns of the row stand at the place that was found, not at the printed one.
+computation, its method and the row.
 """
 
 from __future__ import annotations
@@ -18,13 +17,11 @@ from typing import TYPE_CHECKING, TypeAlias
 from kurbel import verify
 from kurbel.errors import ProblemError
 from kurbel.motion.point_quantities import points_registry
-from kurbel.reading import units
-from kurbel.reading.given import SHARE, as_places
+from kurbel.reading.given import as_places
 from kurbel.reading.notation import number
-from kurbel.reading.where import DEAD_CENTRE, EXTREMES, Condition, read_condition
 from kurbel.verify import Number, Value, harmonics
 from kurbel.verify.bodies import Force
-from kurbel.verify.drives import Course, Degrees
+from kurbel.verify.drives import Degrees, place_of
 from kurbel.verify.extremes import Summit, summits, where
 from kurbel.verify.jets import Jet
 from kurbel.verify.loads import Piece, Stroke, disc
@@ -46,22 +43,27 @@ FARTHEST = 10**12
 
 def of_drive(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Motion and forces at a crank angle, over the path, or where the rod is square to the crank."""
-    asked = second.asked
-    if asked.is_engine():
-        return _of_engine(second, key, method, second.degrees(row), row)
+    if "end" in row:
+        raise ProblemError("greatest loads of a rod over the turn are not computed a second time")
+    if "share" not in row and "at" not in second.options:
+        return at_angle(second, key, method, second.place(row), row)
     drive = second.pushed(row)
-    if "axle" in row:
-        return _coupled(second, drive, key, row)
     if "at" in second.options:
         near = Fraction(degrees(atan(1 / drive.ratio)))
         place = second.spot(drive, lambda: root(lambda at: _square(drive, at), near))
-    elif "share" in row:
-        place = _at_share(second, drive, method, row, RETURN in key)
     else:
-        return _moved(second, drive, key, method, second.degrees(row), row)
+        place = _at_share(second, drive, method, row, RETURN in key)
     if key.removesuffix(RETURN) == "phi":
         return place.value
-    return _moved(second, drive, key, method, place, row)
+    return at_angle(second, key, method, place, row)
+
+
+def at_angle(second: SecondComputation, key: str, method: str, at: Degrees, row: Row) -> Value:
+    """Motion and forces at a crank angle."""
+    if second.asked.is_engine():
+        return of_engine(second, key, method, at, row)
+    drive = second.pushed(row)
+    return _coupled(second, drive, key, row) if "axle" in row else _moved(second, drive, key, method, at, row)
 
 
 def _moved(
@@ -75,7 +77,7 @@ def _moved(
         rim: Fraction = getattr(asked, pin) / 2
         return Value(lambda: (own + of_rod * turned.recipe()) * drive.omega * rim)
     if asked.is_heavy() or asked.has_parts():
-        heavy = _heavy(second, drive, second.push(), method, row)
+        heavy = weighed(second, drive, second.push(), method, row)
         if heavy.knows(key):
             return heavy.value(key, at)
         if key.startswith("angular_acceleration"):
@@ -94,16 +96,14 @@ def _moved(
     return drive.value(key, at, method, point=(number(share), number(beside or "0")))
 
 
-def _heavy(
+def weighed(
     second: SecondComputation, drive: verify.Drive, force: Fraction | Force, method: str, row: Row
 ) -> verify.Bodies:
     return replace(second.bodies(drive, force, row), method=method)
 
 
-def _of_engine(second: SecondComputation, key: str, method: str, at: Degrees, row: Row) -> Value:
+def of_engine(second: SecondComputation, key: str, method: str, at: Degrees, row: Row) -> Value:
     """A force where the load of an engine acts on the piston of the first crank."""
-    if "end" in row:
-        raise ProblemError("greatest loads of a rod over the turn are not computed a second time")
     if key.startswith("torque") and second.asked.says("cranks"):
         raise ProblemError(f"{key} of several cranks is not computed a second time")
     turn = second.turn(method, row, alone=True)
@@ -113,7 +113,7 @@ def _of_engine(second: SecondComputation, key: str, method: str, at: Degrees, ro
         found = turn.known.crank.push(place)
         return found if pressure is None else found * disc(bore) * pressure
 
-    there = _heavy(second, turn.drive, push, method, row)
+    there = weighed(second, turn.drive, push, method, row)
     if there.knows(key):
         return there.value(key, at)
     newtons = there.value(f"{key}_n", at)
@@ -137,7 +137,7 @@ def _coupled(second: SecondComputation, drive: verify.Drive, key: str, row: Row)
     if key.startswith("coupling_force"):
         share = Fraction(sum(weights[:axle] if axle < driven else weights[axle:])) / whole
         return Value(lambda: drive.unit(key.removeprefix("coupling_force")[1:]) * share)
-    return drive.value(key, second.degrees(row)) * (weights[axle - 1] / whole)
+    return drive.value(key, second.place(row)) * (weights[axle - 1] / whole)
 
 
 def _at_share(
@@ -146,18 +146,18 @@ def _at_share(
     """Where B has gone a share of a stroke, on which it goes one way."""
     shares = second.asked.shares() if second.command != "pressures" else second.shares
     share, key = nearest(row["share"], shares), "x_stroke" if drive.rocker is None else "path_stroke"
-    course = Course(drive, key, method, back=back)
+    course = drive.over(key, method, back=back)
 
     def found() -> FoundAngle:
         if share in (0, 1):
-            return FoundAngle(lambda: around(_dead(drive, bool(share) != back, back)))
-        low, high = (Fraction(float(_dead(drive, outer, back))) for outer in (back, not back))
+            return FoundAngle(lambda: around(dead(drive, bool(share) != back, back)))
+        low, high = (Fraction(float(dead(drive, outer, back))) for outer in (back, not back))
         return FoundAngle(lambda: between(lambda at: course.value(at) - share, low, high))
 
     return second.spot((course, share), found)
 
 
-def _dead(drive: verify.Drive, outer: bool, back: bool) -> Number:
+def dead(drive: verify.Drive, outer: bool, back: bool) -> Number:
     angle = drive.dead_degrees(-1 if outer else 1)
     return angle - 180 if back and outer else angle + 180 if back else angle
 
@@ -192,96 +192,11 @@ def of_dead_centres(second: SecondComputation, key: str, method: str, row: Row) 
     return Value(lambda: 1 - sine_cosine(*around(angle.recipe()))[1])
 
 
-def of_condition(second: SecondComputation, key: str, method: str, row: Row) -> Value:
-    listed = second.options.get("where")
-    texts = list(map(str, listed)) if isinstance(listed, list | tuple) else [str(listed)]
-    where = row.get("condition", texts[0] if len(texts) == 1 else "")
-    if "unknown" in second.options or not where:
-        raise ProblemError("the row does not say its condition")
-    phi = row.get("phi", row.get("phi_turn"))
-    if phi is None:
-        raise ProblemError("the row does not say its crank angle; add phi to the columns")
-    about = where.partition("=")[0].strip().strip("|")
-    condition = read_condition(where, {about: about}, (about,))
-    back = row.get("stroke") == "return"
-    near = number(phi) - (180 if back and "phi" not in row else 0)
-    if second.asked.is_engine():
-        return _on_engine(second, key, method, condition, near, row)
-    drive = second.pushed(row)
-    name, target = _target(drive, condition, method, back)
-    course = Course(drive, name, method, back=back)
-    if condition.kind not in EXTREMES and key == course.key:
-        return Value(target)
-    extreme = condition.kind in EXTREMES
-
-    def slope(at: Place) -> Number:
-        return course.value(at, 1)
-
-    def found() -> FoundAngle:
-        return root(slope, near) if extreme else root(lambda at: course.value(at) - target(), near, slope)
-
-    place = second.spot((course, condition, near), found)
-    if key == "phi":
-        return place.value
-    if key == "phi_turn":
-        return Value(lambda: _in_turn(place().angle + (180 if back else 0)))
-    return drive.value(key, place, method, stroke=row.get("stroke"))
-
-
-def _in_turn(angle: Number) -> Number:
-    middle = angle.middle
-    return angle + 360 if middle < 0 else angle - 360 if middle > 360 else angle
-
-
-def _target(
-    drive: verify.Drive, condition: Condition, method: str, back: bool
-) -> tuple[str, Callable[[], Number]]:
-    """The column that a condition is about, and the value that it asks for."""
-    name, value, unit = condition.quantity, condition.value, condition.unit
-    if condition.kind == DEAD_CENTRE:
-        course = Course(drive, name, method, back=back)
-        return name, lambda: course.value(around(_dead(drive, back, back))) * value
-    if name == SHARE:
-        name = "x_stroke" if drive.rocker is None else "path_stroke"
-    elif unit:
-        read, ending = _MEASURED.get(name, (units.signed_force, "n"))
-        name, value = f"{name}_{ending}", read(f"{value.numerator}/{value.denominator} {unit}", name)
-        value *= 1000 if ending == "mm" else 1
-    return name, lambda: exactly(value)
-
-
-_MEASURED = {
-    "x": (units.displacement, "mm"), "c": (units.velocity, "mps"), "p": (units.acceleration, "mps2"),
-    "torque": (units.signed_torque, "nm"),
-}  # fmt: skip
-
-
-def _on_engine(
-    second: SecondComputation, key: str, method: str, condition: Condition, near: Fraction, row: Row
-) -> Value:
-    turn = second.turn(method, row)
-    if condition.quantity not in ("tangential", "torque", "tangential_excess") or condition.unit:
-        raise ProblemError(f"conditions on {condition.quantity} of engines are not computed a second time")
-
-    def missed(at: Place) -> Number:
-        if condition.kind in EXTREMES:
-            return turn.known.force(at, 1)
-        mean = turn.known.mean if condition.quantity == "tangential_excess" else 0
-        return turn.known.force(at, true=True) - mean - condition.value
-
-    place = second.spot((turn, condition, near), lambda: root(missed, near))
-    if key == "phi":
-        return place.value
-    if key in ("tangential", "energy", "tangential_excess"):
-        return turn.value(key, place)
-    return _of_engine(second, key, method, place, row)
-
-
 def of_turn(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     if " - " in method:
         one, other = (of_turn(second, "delta", each, row) for each in method.split(" - "))
         return one - other
-    turn, at = second.turn(method, row), second.degrees(row)
+    turn, at = second.turn(method, row), second.place(row)
     if key in _OF_LOAD:
         return Value(lambda: _OF_LOAD[key](second, turn, second.load(row)()))
     if key == "torque_nm":
@@ -364,8 +279,8 @@ def _apart(run: Running) -> Number:
     return run.extreme(True) - run.extreme(False)
 
 
-_RUNNING: dict[str, Callable[[Running, Fraction], Number]] = {
-    "speed": lambda run, at: run.speed(run.turn.known.energy(at)),
+_RUNNING: dict[str, Callable[[Running, Degrees], Number]] = {
+    "speed": lambda run, at: run.speed(run.turn.known.energy(place_of(at))),
     "speed_min": lambda run, _: run.extreme(False),
     "speed_max": lambda run, _: run.extreme(True),
     "delta_mean": lambda run, _: _apart(run) * 2 / (run.extreme(True) + run.extreme(False)),
@@ -423,12 +338,12 @@ def of_inertia(second: SecondComputation, key: str, method: str, row: Row) -> Va
     model = next((one for one in ("two_mass", "railway") if name.endswith(one)), "")
     force = _OF_ROD.get(name.removesuffix(f"_{model}").removesuffix(RETURN))
     if force is None or (not unit and "acceleration" in second.options):
-        return drive.value(key, second.degrees(row), method)
+        return drive.value(key, second.place(row), method)
     rod = second.rod(drive.rod_length, model, row, unit in ("_n", "_nm"))
     if not unit:
         drive = replace(drive, radius=Fraction(1), speed=Fraction(1), turns=False)
     heavy = replace(verify.bodies(drive, rod=rod, acceleration=second.gain if unit else 0), method=method)
-    return heavy.value(f"{force}_n", second.degrees(row), stroke="return" if RETURN in key else None)
+    return heavy.value(f"{force}_n", second.place(row), stroke="return" if RETURN in key else None)
 
 
 def _of_peak(second: SecondComputation, key: str, row: Row) -> Value:
@@ -534,7 +449,7 @@ def nearest(printed: str, asked: Sequence[Fraction]) -> Fraction:
 
 
 PAGES: Mapping[str, Callable[[SecondComputation, str, str, Row], Value]] = {
-    "table": of_drive, "forces": of_drive, "deadcentres": of_dead_centres, "solve": of_condition,
+    "table": of_drive, "forces": of_drive, "deadcentres": of_dead_centres,
     "turning": of_turn, "delta": of_turn, "pressures": of_pressures, "inertia": of_inertia,
     "harmonics": of_harmonics, "balance": of_harmonics,
 }  # fmt: skip

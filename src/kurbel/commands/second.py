@@ -5,7 +5,7 @@ What it is `requested` says; which value a cell has, `recomputed` and `related`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
@@ -13,6 +13,7 @@ from typing import Any, TypedDict
 
 from kurbel import verify
 from kurbel.commands.card_errors import error_of
+from kurbel.commands.conditioned import angle_at, of_condition, of_unknown
 from kurbel.commands.part import Values, flag_of
 from kurbel.commands.parts.angles import in_degrees
 from kurbel.commands.parts.effort import PINNED, PRESSING
@@ -22,16 +23,20 @@ from kurbel.commands.related import MODULES, SUMMED
 from kurbel.commands.requested import AIR, GAS, LOADED, STEAM, RequestedPage
 from kurbel.engine.card.card import PistonCard
 from kurbel.errors import KurbelError, ProblemError
+from kurbel.exact.kind import FoundAngle as SolvedAngle
 from kurbel.page.axes import shifted
 from kurbel.reading.amounts import UNITS
 from kurbel.reading.given import as_number, as_shares, found_at
-from kurbel.verify import UNDECIDED, WRONG, Number, Value, enclose
+from kurbel.reading.notation import number
+from kurbel.verify import CONFIRMED, UNDECIDED, WRONG, Number, Value, enclose
+from kurbel.verify.drives import Degrees, place_of
 from kurbel.verify.loads import disc
 from kurbel.verify.turn import Running
 from kurbel.verify.zeros import TOO_WIDE, FoundAngle
 
 # Unit of a key that is not one of the second computation, and that in which it computes.
 OWN = {"length": "mm", "velocity": "mps", "acceleration": "mps2", "force": "n", "torque": "nm"}
+COMPUTED = {**PAGES, "solve": of_condition}
 # Options that the second computation knows, and those of looks, of which there is nothing to know.
 KNOWN = frozenset((
     "ratio", "stroke", "rod", "offset", "mechanism", "rocker", "pivot",
@@ -43,7 +48,7 @@ KNOWN = frozenset((
     "cranks", "cylinder",
     "detail", "exact", "where", "flywheel", "inertia", "power", "resistance", "orders", "quantity",
     "engine", "positions", "banks", "share", "spacing", "angle", "from", "to", "step", "zero",
-    "columns", "digits", "rounding", "units", "layout", "decimal", "templates",
+    "unknown", "columns", "digits", "rounding", "units", "layout", "decimal", "templates",
     "rod_file", "rod_acceleration", *SWUNG, *WEIGHED, *PRESSING, *PINNED, *STEAM, *AIR, *GAS,
 ))  # fmt: skip
 
@@ -70,7 +75,7 @@ class SecondComputation(RequestedPage):
             if found == WRONG and self.asked.says("card"):
                 found = _to_tens(value, printed, rounding)
             if found != WRONG:
-                return found, ""
+                return found, "" if found == CONFIRMED else "the second computation cannot tell its digits"
             return WRONG, value.digits(len(printed.partition(".")[2]), rounding)
         except KurbelError as error:
             return UNDECIDED, str(error)
@@ -89,14 +94,20 @@ class SecondComputation(RequestedPage):
             if not any(one.key.startswith(plain) for one in self.question.page_columns):
                 raise ProblemError(f"{key} is no column of such a page")
             return SUMMED[name](self, stem, column["method"], row) * times
-        if self.command not in PAGES:
+        if self.command not in COMPUTED:
             raise ProblemError(f"pages of {self.command} are not computed a second time")
         for name in self.options.keys() - KNOWN:
             raise ProblemError(f"{flag_of(name)} is not known to the second computation")
         own, times = in_own_unit(key.removesuffix(f"_{column['method']}"), column["unit"])
+        whole = self.instead({}) if "unknown" in self.options else self
+        if own == "phi" and "share" not in row and whole.asked.angle is not None:
+            return whole.angle(row) * times
+        if whole is not self:
+            _, times = in_si(key, column["unit"])
+            return of_unknown(self, key, number(row[key]) / times, row) * times
         if own.endswith("_error") and "card" in self.options:
             return error_of(self, own.removesuffix("_error"), column["method"], row) * times
-        found = PAGES[self.command](self, own, column["method"], row)
+        found = COMPUTED[self.command](self, own, column["method"], row)
         return found * times
 
     @property
@@ -115,6 +126,12 @@ class SecondComputation(RequestedPage):
         found = Values({**command.defaults, **self.written}, {})
         command.settle(found)
         return found
+
+    def instead(self, options: Mapping[str, object]) -> SecondComputation:
+        """The same with other options, of forces and motion at an angle in the place of a condition."""
+        apart = ("unknown", "where", "units")
+        kept = {name: value for name, value in self.written.items() if name not in apart}
+        return SecondComputation("forces", {**kept, **options}, "forces")
 
     def spot(self, key: object, find: Callable[[], FoundAngle]) -> FoundAngle:
         """A place, found once for all columns of a row."""
@@ -151,15 +168,32 @@ class SecondComputation(RequestedPage):
             raise ProblemError("a flywheel without a power is not known to the second computation")
         return Running(turn, None, asked.inertia or Fraction(0), asked.power or Fraction(0))
 
+    def place(self, row: Row) -> Degrees:
+        """The crank angle of a row; where a condition gives it, what finds it."""
+        return self.placed(self.degrees(row), row)
+
+    def angle(self, row: Row) -> Value:
+        """That of a row among others that conditions give."""
+        at, zero = self.place(row), self.asked.zero_angle
+        if not callable(at) and Fraction(at) - zero not in (self.asked.angle or ()):
+            raise ProblemError("an angle that a condition gives exactly is not computed a second time")
+        return Value(lambda: place_of(at).angle - zero)
+
+    def placed(self, degrees: Fraction, row: Row) -> Degrees:
+        if not isinstance(degrees, SolvedAngle):
+            return degrees
+        condition = degrees.held.asked.conditions[0]
+        return self.spot((condition, degrees), lambda: angle_at(self, condition, Fraction(degrees), row))
+
     def degrees(self, row: Row) -> Fraction:
         """The crank angle of a row, as exactly as it was asked for."""
         if "phi" in row:
-            return nearest(row["phi"], self._listed) + self.asked.zero_angle
+            return nearest(row["phi"], self.listed) + self.asked.zero_angle
         if self.command in ("delta", "deadcentres"):
             return Fraction(0)
-        if len(self._listed) != 1:
+        if len(self.listed) != 1:
             raise ProblemError("the row does not say its crank angle; add phi to the columns")
-        return self._listed[0] + self.asked.zero_angle
+        return self.listed[0] + self.asked.zero_angle
 
     @cached_property
     def shares(self) -> Sequence[Fraction]:
@@ -168,9 +202,11 @@ class SecondComputation(RequestedPage):
         return as_shares("0..1:0.1" if given is None else given, "share")
 
     @cached_property
-    def _listed(self) -> Sequence[Fraction]:
-        given, zero = self.asked.angle or (), self.asked.zero_angle
-        return shifted(in_degrees(given, self.asked.values, self._layout.ratios, zero=zero), -zero)
+    def listed(self) -> Sequence[Fraction]:
+        asked, zero = self.asked, self.asked.zero_angle
+        turn = Fraction(720 if asked.says("compression") and not asked.two_stroke else 360)
+        found = in_degrees(asked.angle or (), asked.values, self._layout.ratios, turn, zero)
+        return shifted(found, -zero)
 
     def turn(self, method: str, row: Row, alone: bool = False, card: PistonCard | None = None) -> verify.Turn:
         """The turn of the page, that of one crank `alone`, without its masses, or that of part of a card."""

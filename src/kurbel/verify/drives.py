@@ -87,20 +87,30 @@ class Drive(Places):
         `x_return_mm` is `x`, on the return, in mm; `stroke="return"` says the same. With a `point` (share of
         the rod from B, beside it) keys are those of points.
         """
-        if "-" in method:
-            method, _, kept = method.partition("-")
-            order = int(kept)
-        if method not in METHODS:
-            raise ProblemError(f'there is no method "{method}"')
         if method == "difference":
             exact, series = (
                 self.value(key, degrees, one, order=order, stroke=stroke, point=point) for one in METHODS[:2]
             )
             return exact - series
+        how = self.over(key, method, order=order, back=stroke in (RETURN, "return"), point=point)
+        return Value(lambda: how.value(place_of(degrees)))
+
+    def over(
+        self,
+        key: str,
+        method: str = "exact",
+        *,
+        order: int = 1,
+        back: bool = False,
+        point: tuple[Fraction | str, Fraction | str] | None = None,
+    ) -> Course:
+        """Return the column over the crank angle; `series-3` is the series of third order."""
+        method, _, kept = method.partition("-")
+        if method not in METHODS[:3]:
+            raise ProblemError(f'there is no method "{method}"')
         of_point = None if point is None else (Fraction(point[0]), Fraction(point[1]))
         parted(key)
-        how = Course(self, key, method, order, stroke in (RETURN, "return"), of_point)
-        return Value(lambda: how.value(place_of(degrees)))
+        return Course(self, key, method, int(kept or order), back, of_point)
 
     def course(
         self, name: str, place: Place, stroke: int, method: str, order: int, more: int

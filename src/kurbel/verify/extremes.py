@@ -64,14 +64,19 @@ def summits(function: Smooth, low: Fraction, high: Fraction) -> list[Summit]:
     while cells and tried < MOST:
         bounds, tried = list[tuple[Fraction, Place, Jet]](), tried + len(cells)
         for cell in cells:
-            over, (value, slope) = function(cell, 2), function(Place(cell.degrees), 1).terms
-            around = value + slope * cell.arc + over.terms[2] * (cell.arc * cell.arc)
-            reached = max(reached, value.low)
-            bounds.append((around.high, cell, over))
+            try:
+                over, (value, slope) = function(cell, 2), function(Place(cell.degrees), 1).terms
+                around = value + slope * cell.arc + over.terms[2] * (cell.arc * cell.arc)
+            except TOO_WIDE:
+                bounds.append((WIDEST, cell, Jet([])))
+            else:
+                reached = max(reached, value.low)
+                bounds.append((around.high, cell, over))
         cells = []
         for one in bounds:
             if one[0] >= reached:
-                is_settled = one[2].terms[1].side() is not None or one[2].terms[2].side() == -1
+                _, *slopes = one[2].terms or (None,)
+                is_settled = slopes and (slopes[0].side() is not None or slopes[1].side() == -1)
                 done.append(one) if is_settled else cells.extend(one[1].parts())
     if cells:
         raise Undecided("where the greatest value is")

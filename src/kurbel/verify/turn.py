@@ -145,12 +145,13 @@ class Known:
         )
         return sum(works, number(0))
 
-    def energy(self, degrees: Fraction) -> Number:
+    def energy(self, near: Place) -> Number:
         """W since that dead centre."""
-        at = Place(degrees)
+        at = Place(near.degrees)
         own = (at.turned(-one) for one in self.turn.cranks)
         done = sum((self.crank.work(one) - self.masses(one, 1).value for one in own), number(0))
-        return done - self.first - self.mean * (at.angle - self.crank.inner) * pi() / 180
+        whole = done - self.first - self.mean * (at.angle - self.crank.inner) * pi() / 180
+        return whole + (self.excess(at) + self.force(near, 1) * near.arc) * near.arc if near.reach else whole
 
     @cached_property
     def _series(self) -> list[Piece]:
@@ -196,8 +197,7 @@ class Known:
         at = between(self.excess, *one.cell.ends)
         if self.turn.method == "weisbach" and not one.rising:
             at = self._of_cotangent(int(at.degrees // 180)) or at
-        off = (self.excess(Place(at.degrees)) + self.force(at, 1) * at.arc) * at.arc
-        return at.angle, self.energy(at.degrees) + off
+        return at.angle, self.energy(at)
 
     def _of_cotangent(self, index: int) -> Place | None:
         """Where on a stroke cot ½α = (1 + ln ε - ε b)/(π (1 ± λ sin² ½α - ε b sin² ½α (1 ∓ λ cos α))), upper
@@ -308,7 +308,7 @@ _AT: dict[str, Callable[[Known, Place], Number]] = {
     "piston_force": lambda known, at: known.crank.push(at),
     "tangential": lambda known, at: known.force(at, true=True),
     "tangential_excess": lambda known, at: known.force(at, true=True) - known.mean,
-    "energy": lambda known, at: known.energy(at.degrees),
+    "energy": lambda known, at: known.energy(at),
 }
 _OF: dict[str, Callable[[Known], Number]] = {
     "mean_force": lambda known: known.mean,

@@ -19,7 +19,7 @@ from kurbel.verify.value import Value
 # What an enclosure too wide for a cell raises.
 TOO_WIDE = (Undecided, ZeroDivisionError, OverflowError, ValueError)
 # How far from a printed angle its zero is looked for, in degrees: first near, then farther.
-NEAREST, FARTHEST = Fraction(1, 2000), Fraction(2)
+NEAREST, FARTHEST = Fraction(1, 2048), Fraction(2)
 # A zero with a denominator up to this may be exact.
 SIMPLE = 720
 
