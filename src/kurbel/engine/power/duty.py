@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from functools import reduce
+from typing import NamedTuple
 
 from kurbel.drive.at import known
 from kurbel.engine.power.source import ActingPressure, Compound, GivenPressure, whole, work_of
@@ -142,8 +143,12 @@ class Duty:
     @property
     def open_area(self) -> Fraction:
         """The mean area of both ends of the piston in that of the bore."""
-        rods = sum((rod**2 for rod in (self.piston_rod, self.tail_rod) if rod is not None), Fraction(0))
-        return 1 - rods / 2 / self.bore**2 if self.bore is not None else Fraction(1)
+        return 1 - self._rods / 2 / self.bore**2 if self.bore is not None else Fraction(1)
+
+    @property
+    def _rods(self) -> Fraction:
+        """The squares of the rods' diameters."""
+        return sum((rod**2 for rod in (self.piston_rod, self.tail_rod) if rod is not None), Fraction(0))
 
     @property
     def braked(self) -> bool:
@@ -162,10 +167,9 @@ class Duty:
 
     def whole_bore(self, bore: Term) -> Term:
         """Return the bore of a piston whose mean area is that of another bore without rods."""
-        rods = sum((rod**2 for rod in (self.piston_rod, self.tail_rod) if rod is not None), Fraction(0))
-        if self.bore is not None or not rods or bore.powers:
+        if self.bore is not None or not self._rods or bore.powers:
             return bore
-        return Term((bore.known ** Fraction(2)).plus(Product.of(rods / 2)) ** HALF)
+        return Term((bore.known ** Fraction(2)).plus(Product.of(self._rods / 2)) ** HALF)
 
     @property
     def sized(self) -> bool:
@@ -189,9 +193,7 @@ class Duty:
         if not self.factor_asked:
             known[FACTOR] = number(self.diagram_factor)
         if self._brake_tells:
-            known[POWER] = number(self.brake_power or 1) / self.to_brake(source.driven).put(
-                EFFICIENCY, known[EFFICIENCY]
-            )
+            known[POWER] = number(self.brake_power or 1) / Results(self, source, known).brake()
         if self.speed is not None:
             turns = number(self.speed.value)
             known[SPEED] = turns if self.speed.turns else turns / number(2, pi=1)
@@ -214,59 +216,54 @@ class Duty:
         """Whether the power at the shaft tells the indicated one at once."""
         return self.brake_power is not None and self.efficiency is not None and self.power is None
 
-    def to_brake(self, driven: bool) -> Term:
-        """Return what times the indicated power is that at the shaft."""
-        return variable(EFFICIENCY) ** Fraction(-1 if driven else 1)
 
-    def worked(self, driven: bool) -> Term:
-        """Return what times the indicated power is that which consumption counts in."""
-        return self.to_brake(driven) if self.shafted else number(1)
+class Relation(NamedTuple):
+    """What variables make, how much it must be, None where nothing says so, and the variable that it tells
+    first; sentences count it in a unit."""
 
-    def relations(
-        self, source: ActingPressure | GivenPressure, opened: bool = False
-    ) -> dict[str, tuple[Term, str]]:
-        """Return terms that are 1, by the option that errors name, each with the variable it tells first.
+    made: Term
+    given: Term | Fraction | None
+    told: str
+    size: Fraction = Fraction(1)
+    unit: str = ""
 
-        N = z k p_i A S n, A the mean area of both ends, with k working strokes of a cylinder in a turn;
-        S = (S/d) d; c_m = 2 S n; V = z k v A S n, v the share of the swept volume that a stroke delivers.
-        What the load makes is `opened` as long as a number of it is sought.
-        """
-        found = {}
-        bore, stroke, speed = variable(BORE), variable(STROKE), variable(SPEED)
-        if self.stroke_bore is not None:
-            found["--stroke-bore"] = stroke / bore / number(self.stroke_bore), STROKE
-        if self.piston_speed is not None:
-            found["--piston-speed"] = stroke * speed * number(2 / self.piston_speed), SPEED
-        if self.swept_volume is not None:
-            of_one = number(self.open_area / 4, pi=1) * bore * bore * stroke
-            found["--swept-volume"] = of_one / number(self.swept_volume), BORE
-        times = source.strokes * self.cylinders * self.open_area
-        swept = number(times / 4, pi=1) * bore * bore * stroke * speed
-        mean = variable(MEAN) if opened else Term(source.mean)
-        made = mean * variable(FACTOR) * variable(PRESSURE)
-        if self.ends and isinstance(source, ActingPressure):
-            found["--mean-pressure"] = made / number(self._of_ends() or 1), FACTOR
-        if (delivery := self.delivery) is not None and isinstance(source, ActingPressure):
-            moved = (variable(DELIVERED) if opened else Term(source.delivered)) * swept
-            if isinstance(delivery, MassFlow):
-                found["--delivery"] = moved * self.mass_of_air() / number(delivery.mass), BORE
-            else:
-                found["--delivery"] = moved * self.freed() / number(delivery), BORE
-        found["--power"] = made * swept / variable(POWER), POWER
-        brake, work = (
-            variable(POWER) * self.to_brake(source.driven),
-            variable(POWER) * self.worked(source.driven),
-        )
-        if self.brake_power is not None and not self._brake_tells:
-            found["--brake-power"] = brake / number(self.brake_power), POWER
-        if self.brake_torque is not None:
-            found["--brake-torque"] = brake / speed / number(2 * self.brake_torque, pi=1), SPEED
-        if self.consumption is not None and self.consumption.of_work:
-            found["--consumption"] = work * number(self.consumption.mass) / variable(CONSUMED), CONSUMED
-        if len(self.burnt) > 1:
-            burnt = variable(CONSUMED) * variable(HEAT) * variable(THERMAL)
-            found["--thermal-efficiency"] = work / burnt, THERMAL
-        return found
+    def needed(self) -> Term:
+        """Return how much it must be."""
+        return self.given if isinstance(self.given, Term) else number(known(self.given))
+
+
+def relations(of: Results) -> Mapping[str, Relation]:
+    """Return what holds between the variables, none of which the results know, by options for sentences.
+
+    N = z k p_i A S n, A the mean area of both ends, with k working strokes of a cylinder in a turn;
+    S = (S/d) d; c_m = 2 S n; V = z k v A S n, v the share of the swept volume that a stroke delivers.
+    """
+    duty, acting = of.duty, isinstance(of.source, ActingPressure)
+    delivery, consumed = duty.delivery if acting else None, duty.consumption
+    found = {
+        "--stroke-bore": Relation(of.of(STROKE) / of.of(BORE), duty.stroke_bore, STROKE),
+        "--piston-speed": Relation(of.piston_speed(), duty.piston_speed, SPEED, unit=" m/s"),
+        "--swept-volume": Relation(of.swept(), duty.swept_volume, BORE, Fraction(1, 1000), " l"),
+    }
+    if acting:
+        found["--mean-pressure"] = Relation(of.pressure(), duty._of_ends(), FACTOR, UNITS[PRESSURE], " bar")
+    if isinstance(delivery, MassFlow):
+        air = of.delivery() * duty.mass_of_air()
+        found["--delivery"] = Relation(air, delivery.mass, BORE, Fraction(1, 60), " kg/min")
+    elif delivery is not None:
+        free = of.delivery() * duty.freed()
+        found["--delivery"] = Relation(free, delivery, BORE, Fraction(1, 60), " m³/min")
+    whole, brake = of.pressure() * of.swept() * of.rate(), of.of(POWER) * of.brake()
+    braked = None if duty._brake_tells else duty.brake_power
+    found["--power"] = Relation(whole, of.of(POWER), POWER, UNITS[POWER], " kW")
+    found["--brake-power"] = Relation(brake, braked, POWER, UNITS[POWER], " kW")
+    found["--brake-torque"] = Relation(of.torque(), duty.brake_torque, SPEED, unit=" N m")
+    if consumed is not None and consumed.of_work:
+        found["--consumption"] = Relation(of.worked() * number(consumed.mass), of.of(CONSUMED), CONSUMED)
+    if len(duty.burnt) > 1:
+        share = of.worked() / (of.of(CONSUMED) * of.of(HEAT))
+        found["--thermal-efficiency"] = Relation(share, of.of(THERMAL), THERMAL)
+    return {option: one for option, one in found.items() if one.given is not None}
 
 
 def solved(duty: Duty, source: ActingPressure | GivenPressure) -> Mapping[str, Term]:
@@ -289,21 +286,22 @@ def _eliminated(
     duty: Duty, source: ActingPressure | GivenPressure, opened: bool = False, open_pressure: bool = False
 ) -> tuple[Mapping[str, Term], list[Term]]:
     """Return the variables, and of what the load makes the relations that are left."""
-    known, left = duty.given(source), []
+    found, left = duty.given(source), []
     if open_pressure:
-        known[PRESSURE] = variable(OPEN_PRESSURE)
-    found = dict(known)
-    for option, (relation, told) in duty.relations(source, opened).items():
-        for name, value in found.items():
-            relation = relation.put(name, value)
-        free = [name for name in (told, *VARIABLES) if name in relation.powers]
+        found[PRESSURE] = variable(OPEN_PRESSURE)
+    for option, relation in relations(Results(duty, source, {}, opened)).items():
+        holds, needed = (
+            reduce(lambda one, name: one.put(name, found[name]), found, term)
+            for term in (relation.made / relation.needed(), relation.needed())
+        )
+        free = [name for name in (relation.told, *VARIABLES) if name in holds.powers]
         if not free:
-            if relation.powers:
-                left.append(relation)
-            else:
-                _check(option, relation, duty, known)
+            if holds.powers:
+                left.append(holds)
+            elif not holds.known.equals(Product.of(1)):
+                raise ProblemError(_contradiction(option, relation, needed, float(holds.known), duty))
             continue
-        value = relation.solved_for(free[0])
+        value = holds.solved_for(free[0])
         found = {name: one.put(free[0], value) for name, one in found.items()} | {free[0]: value}
     return {name: found.get(name, variable(name)) for name in dict.fromkeys((*MADE, *found))}, left
 
@@ -319,56 +317,31 @@ def option_of(duty: Duty, name: str) -> str:
     return duty.pressure_option if name == PRESSURE else f"--{name.replace('_', '-')}"
 
 
-def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -> None:
-    """Raise ProblemError for a relation, all of whose variables are known, that does not hold."""
-    if relation.known.equals(Product.of(1)):
-        return
-    off = float(relation.known)
-    by_mass = isinstance(duty.delivery, MassFlow)
-    size: Mapping[str, tuple[Any, Fraction, str]] = {
-        "--delivery": (duty.delivery, Fraction(1, 60), " kg/min" if by_mass else " m³/min"),
-        "--mean-pressure": (duty._of_ends(), UNITS[PRESSURE], " bar"),
-        "--brake-power": (duty.brake_power, UNITS[POWER], " kW"),
-        "--brake-torque": (duty.brake_torque, Fraction(1), " N m"),
-        "--swept-volume": (duty.swept_volume, Fraction(1, 1000), " l"),
-        "--thermal-efficiency": (duty.thermal_efficiency, Fraction(1), ""),
-    }
-    if option in size:
-        given, one, unit = size[option]
-        amount = given.mass if isinstance(given, MassFlow) else given
-        value, what = float((amount or 0) / one), option.strip("-").replace("-", " ")
-        raise ProblemError(
-            f"what is given makes a {what} of {value * off:.5g}{unit}, and {option} asks for {value:.5g}"
-            f"{unit}; leave one of them out, or ask for another by --unknown"
-        )
-    if option == "--power":
-        shown = "--power" if duty.brake_power is None else "--brake-power"
-        power = float(known[POWER].known) / 1000
-        # Of steam, whose ideal card makes more.
-        steamed = duty.pressure is not None and duty.pressure_option == "--pressure"
-        asked = (
-            ", or take --unknown diagram_factor" if off > 1 and steamed and duty.diagram_factor == 1 else ""
-        )
-        raise ProblemError(
-            f"bore, stroke, speed and pressure make an indicated power of {power * off:.5g} kW, and {shown}"
-            f" asks for {power:.5g} kW; leave {shown} or one of the others out{asked}"
-        )
-    if option == "--stroke-bore":
-        given, what, unit = duty.stroke_bore, "stroke and bore are in the ratio", ""
-    else:
-        given, what, unit = duty.piston_speed, "stroke and speed make a piston speed of", " m/s"
-    assert given is not None
-    raise ProblemError(
-        f"{what} {off * float(given):.5g}{unit}, and {option} is {about(given)}{unit}; leave one of them out"
+_SAID = {"--power": "an indicated power", "--stroke-bore": "a stroke over bore"}
+
+
+def _contradiction(option: str, relation: Relation, needed: Term, off: float, duty: Duty) -> str:
+    """Return the sentence for a relation that does not hold, by so many times what is needed."""
+    what = _SAID.get(option, f"a {option[2:].replace('-', ' ')}")
+    value = float(needed.known) / float(relation.size)
+    # Of steam, whose ideal card makes more.
+    ideal = duty.pressure is not None and duty.pressure_option == "--pressure" and duty.diagram_factor == 1
+    unknown = "take --unknown diagram_factor" if ideal and off > 1 else "ask for another by --unknown"
+    option = "--brake-power" if option == "--power" and duty.brake_power is not None else option
+    return (
+        f"what is given makes {what} of {value * off:.5g}{relation.unit}, and {option} asks for"
+        f" {value:.5g}{relation.unit}; leave one of them out, or {unknown}"
     )
 
 
 class Results(NamedTuple):
-    """What is found of a source: the variables, in terms of what is given."""
+    """What is found of a source: the variables, in terms of what is given; what the load makes is `opened` as
+    long as a number of it is sought."""
 
     duty: Duty
     source: ActingPressure | GivenPressure
     variables: Mapping[str, Term]
+    opened: bool = False
 
     @property
     def acting(self) -> ActingPressure:
@@ -377,7 +350,7 @@ class Results(NamedTuple):
 
     def mean(self) -> Term:
         """Return the mean pressure in units of the pressure that Q is of."""
-        return Term(self.source.mean)
+        return variable(MEAN) if self.opened else Term(self.source.mean)
 
     def rate(self) -> Term:
         """Return the working strokes of all cylinders in a second."""
@@ -387,14 +360,21 @@ class Results(NamedTuple):
         """Return the volume of a stroke in m³, the mean of both ends."""
         return number(self.duty.open_area / 4, pi=1) * self.of(BORE) ** Fraction(2) * self.of(STROKE)
 
+    def piston_speed(self) -> Term:
+        """Return the mean one in m/s."""
+        return number(2) * self.of(STROKE) * self.of(SPEED)
+
     def pressure(self) -> Term:
         """Return the mean pressure in Pa."""
         return self.of(PRESSURE) * self.of(FACTOR) * self.mean()
 
     def brake(self) -> Term:
         """Return what times the indicated power is that at the shaft."""
-        found = self.duty.to_brake(self.source.driven)
-        return found.put(EFFICIENCY, self.of(EFFICIENCY))
+        return self.of(EFFICIENCY) ** Fraction(-1 if self.source.driven else 1)
+
+    def torque(self) -> Term:
+        """Return the mean torque at the shaft in N m."""
+        return self.of(POWER) * self.brake() / self.of(SPEED) / number(2, pi=1)
 
     def worked(self) -> Term:
         """Return the power in W that consumption counts in."""
@@ -415,7 +395,8 @@ class Results(NamedTuple):
 
     def delivery(self) -> Term:
         """Return what is delivered in a second in m³, in the state of suction."""
-        return Term(self.acting.delivered) * self.swept() * self.rate()
+        made = variable(DELIVERED) if self.opened else Term(self.acting.delivered)
+        return made * self.swept() * self.rate()
 
     def of_load(self, name: str) -> Term:
         """Return what a compressor knows by a name."""
@@ -424,10 +405,6 @@ class Results(NamedTuple):
     def in_work(self, name: str) -> Term:
         """Return a work that a compressor knows by a name, in the indicated one."""
         return self.of_load(name) / (self.mean() * self.of(FACTOR))
-
-    def work_per_mass(self) -> Term:
-        """Return the work in J for a kilogram that is delivered."""
-        return self.of(POWER) / (self.delivery() * self.duty.mass_of_air())
 
     def ideal(self, name: str) -> Term:
         """Return the power in W that takes so much of a stroke, in p₁ and the swept volume."""

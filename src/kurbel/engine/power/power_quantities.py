@@ -109,7 +109,7 @@ def _entries() -> Iterator[Quantity]:
     ):
         yield _entry(key, name, symbol, unit, UNITS[key], partial(_variable, key))
     yield _entry("piston_speed", "mittlere Kolbengeschwindigkeit|Mean piston speed", "$c_m$", "m/s", 1,
-                 lambda found: number(2) * found.of(STROKE) * found.of(SPEED))  # fmt: skip
+                 Results.piston_speed)  # fmt: skip
     yield _entry("stroke_work", "Arbeit eines wirksamen Hubes|Work of a working stroke", "$A_h$", "J", 1,
                  lambda found: found.pressure() * found.swept())  # fmt: skip
     yield _entry("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", UNITS[POWER],
@@ -120,8 +120,7 @@ def _entries() -> Iterator[Quantity]:
                  UNITS[PRESSURE], lambda found: found.pressure() * found.brake(),
                  Needs.EFFICIENCY)  # fmt: skip
     yield _entry("mean_torque", "mittleres Drehmoment an der Welle|Mean torque at the shaft", "$M_e$", "N m",
-                 1, lambda found: found.of(POWER) * found.brake() / found.of(SPEED) / number(2, pi=1),
-                 Needs.EFFICIENCY)  # fmt: skip
+                 1, Results.torque, Needs.EFFICIENCY)  # fmt: skip
     yield _entry("efficiency", "mechanischer Wirkungsgrad|Mechanical efficiency", "$η$", "", 1,
                  partial(_variable, EFFICIENCY), Needs.BRAKED)  # fmt: skip
     kwh = Fraction(1, 3600 * 1000)
@@ -159,7 +158,8 @@ def _air_entries() -> Iterator[Quantity]:
     yield _entry("air_mass", "geförderte Masse|Mass delivered", '$"ṁ"$', "kg/min", Fraction(1, 60),
                  lambda found: found.delivery() * found.duty.mass_of_air(), Needs.WARM,
                  Needs.SUCTION)  # fmt: skip
-    yield _entry("work_per_mass", "Arbeit je kg|Work per kg", "$w$", "kJ/kg", 1000, Results.work_per_mass,
+    yield _entry("work_per_mass", "Arbeit je kg|Work per kg", "$w$", "kJ/kg", 1000,
+                 lambda found: found.of(POWER) / (found.delivery() * found.duty.mass_of_air()),
                  Needs.WARM, Needs.SUCTION)  # fmt: skip
     yield _entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", Fraction(1, 60),
                  Results.delivery, Needs.DELIVERY)  # fmt: skip
