@@ -181,13 +181,13 @@ class Compressor:
         if self.between is None:
             return ends.growth
         whole = found.get("ratio", kind.of(self.ratio)) * kind.of(self._inside)
-        return power(whole / kind.of(self.between), self._exponent(kind, 1 / self.exponent))
+        return power(whole / kind.of(self.between), kind.exponent(1 / self.exponent))
 
     def against_one_stage(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the work of all stages in that of one, on the same air."""
         whole = found.get("ratio", kind.of(self.ratio)) * kind.of(self._inside)
-        exponent = self._exponent(kind, self.exponent)
-        grown = power(whole, self._exponent(kind, 1 / self.exponent))
+        exponent = kind.exponent(self.exponent)
+        grown = power(whole, kind.exponent(1 / self.exponent))
         return self._of_stages(kind, **found) / expansion_work(1 / grown, exponent)
 
     def against_perfect(self, kind: Kind, **found: Numeric) -> Numeric:
@@ -240,7 +240,7 @@ class Compressor:
         if self.between is not None:
             return kind.of(self.between)
         ratio = found.get("ratio", kind.of(self.ratio))
-        return power(ratio, 1 if self.stages == 1 else kind.exponent(Fraction(1, self.stages)))
+        return power(ratio, kind.exponent(Fraction(1, self.stages)))
 
     def heated(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the temperature at the end of the compression, of the last stage, in that of suction."""
@@ -282,17 +282,14 @@ class Compressor:
             raised, delivery = (
                 ratio * kind.of(one / self.ratio) for one in (inside[1] / inside[0], inside[1])
             )
-        growth = power(raised, self._exponent(kind, 1 / self.exponent))
+        growth = power(raised, kind.exponent(1 / self.exponent))
         left = self.expansion_exponent or self.exponent
-        regrowth = growth if left == self.exponent else power(raised, self._exponent(kind, 1 / left))
-        exponent, room = self._exponent(kind, self.exponent), kind.of(self.clearance)
+        regrowth = growth if left == self.exponent else power(raised, kind.exponent(1 / left))
+        exponent, room = kind.exponent(self.exponent), kind.of(self.clearance)
         kept = self.clearance > 0 or clearance is not None
         room = room if clearance is None else clearance
-        again = regrowth, self._exponent(kind, left)
+        again = regrowth, kind.exponent(left)
         return _Ends(kind.of(inside[0]), delivery, exponent, room, growth, *again, kept)
-
-    def _exponent(self, kind: Kind, exponent: Fraction) -> Numeric:
-        return 1 if exponent == 1 else kind.exponent(exponent)
 
     def _check_delivery(self) -> None:
         growth = float(self._ends(floats()).regrowth)

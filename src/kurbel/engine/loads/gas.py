@@ -122,8 +122,8 @@ class GasCycle:
         return Law((Constant(points.peak), expanding), (volume - points.clearance,))
 
     def _points(self, kind: Kind) -> _Points:
-        compression = _exponent(kind, self.exponent)
-        expansion = _exponent(kind, self.expansion_exponent or self.exponent)
+        compression = kind.exponent(self.exponent)
+        expansion = kind.exponent(self.expansion_exponent or self.exponent)
         compressed = power(kind.of(self.compression), compression)
         peak = compressed if self.peak is None else kind.of(self.peak)
         cut_off = kind.of(Fraction(1) if self.cut_off is None else self.cut_off)
@@ -182,7 +182,3 @@ _EXAMPLES = {
     DIESEL: "--cut-off 2",
     DUAL: "--peak-pressure 60 --cut-off 1.5",
 }
-
-
-def _exponent(kind: Kind, exponent: Fraction) -> Numeric:
-    return 1 if exponent == 1 else kind.exponent(exponent)

@@ -114,7 +114,7 @@ class Steam:
 
     def kept(self, numbers: Expansion, kind: Kind) -> Numeric:
         """Return the volume that what is left in the cylinder fills at the steam pressure."""
-        share = power(numbers.back, 1 if self.exponent == 1 else kind.exponent(1 / self.exponent))
+        share = power(numbers.back, kind.exponent(1 / self.exponent))
         return (numbers.clearance + kind.of(1 - self.cushion)) * share
 
     def _laws(self, numbers: Expansion, kind: Kind) -> tuple[Law, Law]:
