@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.engine.engine import Assembly, Engine
 from kurbel.engine.engine_quantities import ENGINE_METHODS, OF_RUNS
-from kurbel.engine.loads.words import LoadWords, lettered, load_text, words_of
+from kurbel.engine.loads.words import lettered, load_text, words_of
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Label
 from kurbel.motion import notes as motion
@@ -93,25 +92,6 @@ def named_load(request: EngineRequest | PowerRequest, index: int) -> Label:
     return lettered(request.words, request.steams[index], request.lang)
 
 
-@dataclass(frozen=True)
-class SingleCylinder:
-    """A cylinder as a page of its own would know it."""
-
-    first: Engine
-
-    @property
-    def steams(self) -> Sequence[Any]:
-        return [self.first.steam]
-
-    @property
-    def words(self) -> LoadWords:
-        return words_of(self.first.steam.name)
-
-    @property
-    def double(self) -> bool:
-        return self.first.double
-
-
 def cylinder_notes(assembly: Assembly, numbers: Sequence[int], lang: str) -> Iterator[Label]:
     """Yield a line for each cylinder: its size, its place, its load; and which of them the shaft drives."""
     numbers = numbers or range(1, len(assembly.parts) + 1)
@@ -147,19 +127,18 @@ def within(line: Label, lang: str) -> Label:
 
 
 def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
-    alone = SingleCylinder(part)
+    load = words_of(part.steam.name)
     if part.load is not None:
-        yield alone.words.newtons(part.steam, part.load)
+        yield load.newtons(part.steam, part.load)
     sizes = f"$R:L = {ratio_text(part.crank.ratio)}$"
     if part.crank.radius is not None:
         sizes = f"{CYLINDERS['stroke'][lang]} ${amount(2 * part.crank.radius, 'mm', plain)}$, {sizes}"
     yield sizes
     if part.lag:
         yield CYLINDERS["lag"][lang].format(angle=f"${angle_text(part.lag)}$", number=first)
-    if alone.words.captioned:
+    if load.captioned:
         yield load_text(part.steam, lang)
-    lines = alone.words.lines(alone, lang)
     # What is assumed is said by an entry of the cylinder.
-    yield from (within(unprompted(line), lang) for line in lines)
-    if alone.words.halved:
+    yield from (within(unprompted(line), lang) for line in load.lines([part.steam], part, lang))
+    if load.halved:
         yield CYLINDERS["double" if part.double else "single"][lang]

@@ -113,7 +113,7 @@ def engine_notes(request: EngineRequest) -> Iterator[Label]:
     """Yield the lines about the engine itself: its load, its drive, its masses."""
     lang = request.lang
     if request.assembly is None:
-        yield "; ".join(engine_lines(request, lang))
+        yield "; ".join(engine_lines(request.steams, request.first.parts[0], lang))
     else:
         yield from cylinder_notes(request.assembly, request.numbers, lang)
     yield from request.mechanism.loaded_notes(request.drives, lang)

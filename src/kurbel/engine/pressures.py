@@ -19,9 +19,9 @@ from typing import Any, NamedTuple
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.moved import Drive, Moved
-from kurbel.engine.captions import SingleCylinder, within
+from kurbel.engine.captions import within
 from kurbel.engine.engine import Engine
-from kurbel.engine.loads.words import engine_lines, load_text
+from kurbel.engine.loads.words import engine_lines, load_text, words_of
 from kurbel.engine.turn import angle_at, turn_of
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, half_turn_circle
@@ -293,10 +293,10 @@ def _notes(question: PressuresRequest) -> Iterator[Label]:
     if pressed.engine is not None and getattr(pressed.engine.steam, "driven", False):
         yield PRESSED["driven"][lang]
     if pressed.engine is not None:
-        alone = SingleCylinder(pressed.engine)
-        lines = [*engine_lines(alone, lang)]
-        if alone.words.captioned:
-            lines = [load_text(pressed.engine.steam, lang), *(within(line, lang) for line in lines)]
+        load = pressed.engine.steam
+        lines = [*engine_lines([load], pressed.engine, lang)]
+        if words_of(load.name).captioned:
+            lines = [load_text(load, lang), *(within(line, lang) for line in lines)]
         yield "; ".join(lines)
     if pressed.heavy:
         rod = PRESSED["rod"][lang] if known(pressed.crank.moving).rod is not None else ""

@@ -17,7 +17,7 @@ from typing import Any
 from kurbel.drive.at import known
 from kurbel.drive.crank import check_angles
 from kurbel.engine.diagram.excess import ExcessTorque, acceleration_line
-from kurbel.engine.diagram.fluctuation import Areas, Steady, Swinging, outcome
+from kurbel.engine.diagram.fluctuation import Areas, Fluctuation, Steady, outcome
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number, figure, figures
@@ -113,7 +113,7 @@ class DiagramRequest(Question, ABC):
 
     @property
     @abstractmethod
-    def swinging(self) -> Swinging:
+    def swinging(self) -> Fluctuation:
         """What has the swing."""
 
     @cached_property

@@ -16,7 +16,7 @@ from functools import cached_property, partial
 from typing import NamedTuple
 
 from kurbel.drive.at import known
-from kurbel.engine.diagram.fluctuation import Extreme, places, work_of
+from kurbel.engine.diagram.fluctuation import Extreme, places
 from kurbel.engine.diagram.torque import QUARTER, TURN, Line, Torque, Waves, common_cycle
 from kurbel.engine.diagram.zeros import Zero, is_plain, over_cycle, waves_at, zeros
 from kurbel.errors import ProblemError
@@ -99,19 +99,22 @@ class ExcessTorque(FrozenValue):
         return float(torque.most) * (180 / math.pi if self.by_degree else 1)
 
     def mean_torque(self, kind: Kind) -> Numeric:
+        """Return the mean torque that drives the shaft in N m."""
         mean = self.drive.mean.at(Fraction(0), kind)
         return mean * 180 / kind.pi if self.by_degree else mean
 
     def work(self, kind: Kind) -> Numeric:
+        """Return the work of a cycle in J."""
         if self.by_degree:
             return self.drive.mean.at(Fraction(0), kind) * kind.of(self.cycle)
-        return work_of(self.mean_torque(kind), self.turns, kind)
+        return self.mean_torque(kind) * kind.of(2 * self.turns) * kind.pi
 
     def energy(self, degrees: Fraction, kind: Kind) -> Numeric:
         """Return the excess energy in J at a crank angle, from 0° on."""
         return self._energy(Zero(degrees), kind)
 
     def swing(self, kind: Kind) -> Numeric:
+        """Return the greatest excess energy less the least, in J."""
         return self.extreme_energy(kind, greatest=True) - self.extreme_energy(kind, greatest=False)
 
     def extreme_energy(self, kind: Kind, *, greatest: bool) -> Numeric:

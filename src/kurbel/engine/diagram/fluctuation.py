@@ -22,7 +22,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import accumulate
 from string import ascii_lowercase
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from kurbel.drive.at import known
 from kurbel.errors import ProblemError
@@ -36,6 +36,9 @@ from kurbel.reading.amounts import moved, unit_of_page
 from kurbel.reading.given import FrozenValue
 from kurbel.reading.notation import about, check_bounds
 from kurbel.reading.units import Speed
+
+if TYPE_CHECKING:
+    from kurbel.engine.diagram.excess import ExcessTorque
 
 WORDS = Texts("engine.diagram", "diagram")
 
@@ -57,46 +60,11 @@ class Extreme(NamedTuple):
     exact: Fraction | None = None
 
 
-class Fluctuation(Protocol):
-    """The excess energy over a cycle: its swing from the least to the greatest, and what is known beside it.
-
-    Numbers are of the kind that is asked for.
-    """
-
-    @property
-    def turns(self) -> Fraction | None:
-        """The turns of a cycle; None where they are not known."""
-
-    def swing(self, kind: Kind) -> Numeric:
-        """Return the greatest excess energy less the least, in J."""
-
-    def mean_torque(self, kind: Kind) -> Numeric | None:
-        """Return the mean torque that drives the shaft in N m, None where it is not known."""
-
-    def work(self, kind: Kind) -> Numeric | None:
-        """Return the work of a cycle in J, of the mean torque over its turns; None where it is not known."""
-
-    def extremes(self, *, greatest: bool) -> tuple[Extreme, ...]:
-        """Return where the speed is greatest, or least: several places only where it is so at all of them."""
-
-
-def work_of(mean: Numeric, turns: Fraction, kind: Kind) -> Numeric:
-    """Return the work in J of a mean torque in N m over so many turns."""
-    return mean * kind.of(2 * turns) * kind.pi
-
-
-class Swinging(Fluctuation, Protocol):
-    """A fluctuation whose excess energies count from a point of their own."""
-
-    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Numeric:
-        """Return the greatest or the least excess energy in J."""
-
-
 @dataclass(frozen=True)
 class Steady:
     """A flywheel by its moment of inertia in kg m² and its mean speed, under an energy that swings."""
 
-    swinging: Swinging
+    swinging: Fluctuation
     inertia: Fraction
     speed: Speed
 
@@ -251,6 +219,7 @@ class Areas(FrozenValue):
         return joules * kind.pi if self.scale.of_pi else joules
 
     def swing(self, kind: Kind) -> Numeric:
+        """Return the greatest excess energy less the least, in J."""
         return self.energy(max(self.levels) - min(self.levels), kind)
 
     def extreme_energy(self, kind: Kind, *, greatest: bool) -> Numeric:
@@ -258,15 +227,19 @@ class Areas(FrozenValue):
         return self.energy(max(self.levels) if greatest else min(self.levels), kind)
 
     def mean_torque(self, kind: Kind) -> None:
-        return None
+        """Areas say nothing of it, nor of the work of a cycle."""
 
-    def work(self, kind: Kind) -> None:
-        return None
+    work = mean_torque
 
     def extremes(self, *, greatest: bool) -> tuple[Extreme, ...]:
+        """Return where the speed is greatest, or least: several points only where it is so at all of them."""
         level = max(self.levels) if greatest else min(self.levels)
         pairs = zip(self.letters, self.levels, strict=True)
         return tuple(Extreme(letter) for letter, own in pairs if own == level)
+
+
+Fluctuation: TypeAlias = "Areas | ExcessTorque"
+"""How the excess energy varies over a cycle, in numbers of the kind that is asked for."""
 
 
 def letter_of(number: int) -> str:

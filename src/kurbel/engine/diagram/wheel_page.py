@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kurbel.drive.at import known
 from kurbel.engine.diagram.excess import ExcessTorque, acceleration_line
 from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation, place_text
 from kurbel.engine.diagram.relations import ACCELERATION, SHOWN, registry
@@ -51,7 +50,7 @@ def notes(question: WheelRequest) -> Iterator[Label]:
         exactly = "" if question.engine else OF_WHEELS["exactly"][lang]
         yield OF_WHEELS["speeds"][lang].replace("{exactly}", exactly)
     if question.fluctuation is not None:
-        yield from _places(question)
+        yield from _places(question, question.fluctuation)
         yield from _accelerated(question)
         if question.angle is not None:
             yield OF_WHEELS["at angle"][lang].format(angle=figure(question.angle))
@@ -105,9 +104,9 @@ def _rim(question: WheelRequest) -> Iterator[Label]:
         yield "; ".join(said)
 
 
-def _places(question: WheelRequest) -> Iterator[Label]:
+def _places(question: WheelRequest, fluctuation: Fluctuation) -> Iterator[Label]:
     """Yield where the speed is greatest and where least."""
-    high, low = (known(question.fluctuation).extremes(greatest=greatest) for greatest in (True, False))
+    high, low = (fluctuation.extremes(greatest=greatest) for greatest in (True, False))
     names = {"high": _listed(high, question), "low": _listed(low, question)}
     yield OF_WHEELS["places"][question.lang].format(**names)
     if high[0].letter:

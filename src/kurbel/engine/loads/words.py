@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.at import known
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
@@ -17,7 +17,7 @@ from kurbel.reading.given import found_at
 from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
-    from kurbel.engine.engine import Assembly, Load
+    from kurbel.engine.engine import Assembly, Engine, Load
     from kurbel.engine.loads.driven import Compressor, Pump
     from kurbel.engine.loads.gas import GasCycle
 
@@ -29,28 +29,16 @@ PUMPS = Texts("engine.loads", "pumps")
 CYLINDERS = Texts("engine", "cylinders")
 
 
-class LoadFacts(Protocol):
-    """What is under a load, as words about that know it."""
-
-    @property
-    def steams(self) -> Sequence[Any]: ...
-    @property
-    def words(self) -> LoadWords: ...
-    @property
-    def first(self) -> Any: ...
-    @property
-    def double(self) -> bool: ...
-
-
 class LoadWords(NamedTuple):
     """What pages say of a kind of load, and what tells one from another of the same page.
 
     `key` is that of its field, `symbol` its letter, if it has one. `number` is what varies, None where that
     is no number, `label` how it is written. `machine` is what is driven by it or drives it, in the genitive,
     `several` what loads are called in sentences. `forces` says what Q is, `newtons` what it is of, and
-    `lines` yields what there is to be said of the load; `layout` is that of its irregularity, `halved` tells
-    that a single-acting one is called so, `captioned` that what tells it from others stands in captions,
-    `tag` what stands for it in records where that is not what is written, `pressure` the end of
+    `lines` yields what there is to be said of loads, the first of which is that of an engine; `layout` is
+    that of its irregularity, `halved` tells that a single-acting one is called so, `captioned` that what
+    tells it from others stands in captions, `tag` what stands for it in records where that is not what is
+    written, `pressure` the end of
     a list of options that make newtons of the force.
     """
 
@@ -63,7 +51,7 @@ class LoadWords(NamedTuple):
     several: str
     forces: Words
     newtons: Callable[[Any, Load], Label]
-    lines: Callable[[Any, str], Iterator[Label]]
+    lines: Callable[[Sequence[Any], Engine, str], Iterator[Label]]
     layout: str = "delta-detail"
     halved: bool = True
     captioned: bool = True
@@ -115,9 +103,9 @@ def kilopascals(load: Load, times: Fraction = Fraction(1)) -> Label:
     return amount(known(load.pressure) * times, "kPa", exact_text)
 
 
-def _steam_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
-    steam: Any = request.steams[0]
-    if all(request.words.number(one) == 1 for one in request.steams):
+def _steam_lines(steams: Sequence[Any], _: Engine, lang: str) -> Iterator[Label]:
+    steam = steams[0]
+    if all(one.expansion == 1 for one in steams):
         yield OF_STEAM["uncut"][lang]
     elif steam.exponent == 1:
         yield OF_STEAM["mariotte"][lang]
@@ -125,7 +113,7 @@ def _steam_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
         yield OF_STEAM["polytropic"][lang].format(exponent=exact_text(steam.exponent))
     if steam.clearance:
         yield OF_STEAM["clearance"][lang].format(clearance=exact_text(steam.clearance))
-    elif any(request.words.number(one) != 1 for one in request.steams):
+    elif any(one.expansion != 1 for one in steams):
         yield OF_STEAM["unclear"][lang]
     if steam.back is not None:
         yield OF_STEAM["back"][lang].format(back=f"{exact_text(steam.back)} Q" if steam.back else "0")
@@ -147,11 +135,12 @@ def best_back(steam: Any, back: Label, full: Label, lang: str) -> Label:
     return OF_STEAM[said][lang].format(back=back, full=full)
 
 
-def engine_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
-    """Yield what there is to be said of an engine: of its load, its sides and its cranks."""
-    yield from request.words.lines(request, lang)
-    engine = request.first
-    if request.words.halved:
+def engine_lines(loads: Sequence[Any], engine: Engine, lang: str) -> Iterator[Label]:
+    """Yield what there is to be said of an engine under the first of some loads: of these, its sides and its
+    cranks."""
+    said = words_of(loads[0].name)
+    yield from said.lines(loads, engine, lang)
+    if said.halved:
         yield OF_STEAM["double" if engine.double else "single"][lang]
     if len(engine.cranks) > 1:
         angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks[1:])
@@ -188,12 +177,12 @@ CARD_WORDS = LoadWords(
         "|$Q$ greatest pressure of the card times piston area, $r$ crank radius"
     ),
     newtons=lambda diagram, load: f"$d = {millimetres(load.bore)}$",
-    lines=lambda request, lang: iter([OF_STEAM["card"][lang]]),
+    lines=lambda loads, engine, lang: iter([OF_STEAM["card"][lang]]),
 )
 
 
-def _compressor_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
-    load: Compressor = request.steams[0]
+def _compressor_lines(loads: Sequence[Compressor], engine: Engine, lang: str) -> Iterator[Label]:
+    load = loads[0]
     if load.expansion_exponent is not None:
         yield _apart(load.exponent, load.expansion_exponent, lang)
     elif load.exponent == 1:
@@ -210,7 +199,7 @@ def _compressor_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
         yield OTHERS["delivery_loss"][lang].format(share=figure(load.delivery_loss))
     if not (load.suction_loss or load.delivery_loss):
         yield OTHERS["lossless"][lang]
-    if not request.double:
+    if not engine.double:
         said = "same_side" if load.other_side == 1 else "other_side"
         yield OTHERS[said][lang].format(share=figure(load.other_side))
 
@@ -219,14 +208,14 @@ def _apart(compression: Fraction, expansion: Fraction, lang: str) -> Label:
     return OTHERS["apart"][lang].format(compression=figure(compression), expansion=figure(expansion))
 
 
-def _pump_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
-    load: Pump = request.steams[0]
+def _pump_lines(loads: Sequence[Pump], engine: Engine, lang: str) -> Iterator[Label]:
+    load = loads[0]
     yield PUMPS[load.kind][lang]
     if load.differential:
         usual = " (--small-area)" if load.small_area == Fraction(1, 2) else ""
         yield OTHERS["ring"][lang].format(share=figure(load.small_area), usual=usual)
     if not load.double:
-        yield _suction(load, request.first.load, lang)
+        yield _suction(load, engine.load, lang)
 
 
 def _suction(pump: Pump, known: Load | None, lang: str) -> Label:
@@ -238,8 +227,8 @@ def _suction(pump: Pump, known: Load | None, lang: str) -> Label:
     return OTHERS["above" if pump.suction > 0 else "below"][lang].format(head=said)
 
 
-def _gas_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
-    load: GasCycle = request.steams[0]
+def _gas_lines(loads: Sequence[GasCycle], _: Engine, lang: str) -> Iterator[Label]:
+    load = loads[0]
     yield CYCLES[load.cycle][lang]
     yield OTHERS["two" if load.two_stroke else "four"][lang]
     for key in ("peak", "cut_off", "heat"):

@@ -53,7 +53,7 @@ GIVEN_WORDS = LoadWords(
     several="mean pressures",
     forces=words(""),
     newtons=lambda source, load: "",
-    lines=lambda request, lang: iter(()),
+    lines=lambda loads, engine, lang: iter(()),
     tag=lambda source: "given",
 )
 _EFFICIENCIES = {EFFICIENCY: "mechanical", THERMAL: "thermal"}
@@ -178,10 +178,6 @@ class PowerRequest(Question):
         source = self.sources[0]
         assert isinstance(source, ActingPressure)
         return source.engine
-
-    @property
-    def double(self) -> bool:
-        return self.first.double
 
     @cached_property
     def words(self) -> LoadWords:
@@ -400,9 +396,9 @@ def _lines(request: PowerRequest, lang: str) -> Iterator[Label]:
     if source.carded:
         yield POWER_TEXTS["card"][lang]
     else:
-        yield from request.words.lines(request, lang)
+        yield from request.words.lines(request.steams, request.first, lang)
     if request.words.halved:
-        yield OF_STEAM["double" if request.double else "single"][lang]
+        yield OF_STEAM["double" if request.first.double else "single"][lang]
 
 
 SUBJECT = Subject(
