@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt, pi, tan
 from typing import ClassVar
 
-from flint import arb
-
 from kurbel.drive.at import At
 from kurbel.drive.crank import LONGEST_ROD, Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import FLOAT_BITS, at_bits, ball, half_turn_circle
-from kurbel.exact.certify import pi as ball_pi
-from kurbel.exact.course import Course
-from kurbel.exact.kind import Kind, balls
-from kurbel.exact.place import SQUARE, Centre, Place
+from kurbel.exact.certify import FLOAT_BITS, at_bits
+from kurbel.exact.kind import Kind
+from kurbel.exact.place import SQUARE, Centre
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.linkage.linkage import LinkageDrive
 from kurbel.linkage.rocker import RockerCrank, direct
@@ -177,7 +172,6 @@ class ArcDrive(LinkageDrive):
 
     def __init__(self, crank: RockerCrank, page: str = "arc") -> None:
         super().__init__(crank, page)
-        self.arc = crank
         self.centre = self._centre()
 
     @property
@@ -186,7 +180,7 @@ class ArcDrive(LinkageDrive):
 
     def _centre(self) -> Centre:
         with at_bits(FLOAT_BITS):
-            ends = [float(place().mid()) for stroke in STROKES for place in self._dead_angles(stroke)]
+            ends = [float(place().mid()) for stroke in STROKES for place in self.dead_angles(stroke)]
         if min(ends) > -HALF_REACH and max(ends) < 1 + HALF_REACH:
             return SQUARE
         middle = (min(ends) + max(ends)) / 2
@@ -195,30 +189,3 @@ class ArcDrive(LinkageDrive):
 
     def is_free(self, quantity: Quantity) -> bool:
         return quantity.of is not Of.STROKE and super().is_free(quantity)
-
-    def ends(self, stroke: int) -> tuple[Place, Place]:
-        return self.rests(self.asked("velocity", stroke), self._dead_angles(stroke))
-
-    def unclosed(self, quantity: Quantity, course: Course) -> Course:
-        velocity = self.asked("velocity", quantity.stroke)
-
-        def rise(half_turns: arb) -> arb:
-            found = self.value(velocity, half_turn_circle(half_turns), balls())
-            return ball(found * self._gauge(quantity))
-
-        ends = {"path": (Fraction(0), None), "path_stroke": (Fraction(0), Fraction(1))}
-        return replace(course, slope=rise, ends=ends.get(quantity.key, (None, None)))
-
-    def _dead_angles(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
-        def begin() -> arb:
-            return ball(self.arc.dead_angle(stroke, balls())) / 180
-
-        return begin, lambda: begin() + 1 + stroke * ball(self.arc.lead(balls())) / 180
-
-    def _gauge(self, quantity: Quantity) -> Numeric:
-        """Return by how much the path, its share or the rocker's angle grows in half a turn at v = 1."""
-        if quantity.key == "path":
-            return ball_pi()
-        if quantity.key == "path_stroke":
-            return ball_pi() / self.arc.way(balls())
-        return ball(-180 * quantity.stroke * self.arc.curvature)

@@ -17,6 +17,7 @@ from kurbel.linkage.linkage import (
     force_formula,
     in_strokes,
     linkage_subject,
+    share_of,
 )
 from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.entries import OF_ROD, headed, in_units, measured, on_strokes
@@ -85,7 +86,10 @@ _PATHS: dict[str, Formulas] = {
         LEFT: Formula(_path, "{part} $x = B (θ_o - θ)$"),
     },
 }
-_PATHS |= {f"{key}_mm": formulas for key, formulas in _PATHS.items()}
+_PATHS |= {
+    **{f"{key}_mm": formulas for key, formulas in _PATHS.items()},
+    **{f"{key}_stroke": {by: share_of(one) for by, one in own.items()} for key, own in _PATHS.items()},
+}
 _VELOCITY = _of(linkage.velocity, "$c/v = (sin(ζ + τ))/(cos τ)$", (_ZETA, _TAU))
 _ACCELERATION = _gaining(
     _of(

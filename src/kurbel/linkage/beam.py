@@ -24,10 +24,8 @@ from kurbel.drive.at import known
 from kurbel.drive.crank import LONGEST_ROD, Crank, DescribedDrive, radii
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball
-from kurbel.exact.course import Course
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
-from kurbel.exact.place import Place
 from kurbel.kernel import beam
 from kurbel.kernel.circle import Numeric
 from kurbel.linkage.arc import ArcDrive
@@ -195,10 +193,6 @@ def _place(engine: BeamEngine, precision: int) -> tuple[arb, arb]:
     return -sagitta / 2, -bent / (4 * (1 - ratio * ratio * square) * (1 + chord))
 
 
-# What is zero at the dead centres.
-AT_REST = ("velocity", "tangential_force", "torque")
-
-
 class BeamDrive(ArcDrive):
     """The beam engine."""
 
@@ -207,16 +201,6 @@ class BeamDrive(ArcDrive):
 
     def is_free(self, quantity: Quantity) -> bool:
         return False
-
-    def ends(self, stroke: int) -> tuple[Place, Place]:
-        begin, end = (Place(angle, self.centre) for angle in self._dead_angles(stroke))
-        return begin, end
-
-    def _course(self, quantity: str, stroke: int) -> Course:
-        one = self.asked(quantity, stroke)
-        if one.rises:
-            return super()._course(quantity, stroke)
-        return self.by_balls(one, stroke, *AT_REST)
 
 
 # Of the way of the rod's end, which no piston has.

@@ -22,7 +22,7 @@ from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion import motion_quantities
 from kurbel.motion.captions import direction_notes
 from kurbel.motion.drives import Drive
-from kurbel.motion.entries import Formulas
+from kurbel.motion.entries import Formulas, on_return
 from kurbel.motion.evaluation import OUT, Needs, Places, certified_at
 from kurbel.motion.mechanism import FORCES as IN_DRAWINGS
 from kurbel.motion.mechanism import Mechanism, mechanism
@@ -109,10 +109,14 @@ class Linkage(DeadCentres, ABC):
 
 def in_strokes(path: Quantity) -> Quantity:
     """Return the path as a share of the stroke of its drive."""
-    whole = path.formulas["exact"]
-    share = whole._replace(kernel=lambda at: whole.kernel(at) / at.drive.way(at.numbers))
     head, unit = words("in Teilen des Hubes|in strokes"), words("Hub|stroke")
-    return path._replace(key="path_stroke", heading=head, unit=unit, names=("s",), formulas={"exact": share})
+    shares = {"exact": share_of(path.formulas["exact"])}
+    return path._replace(key="path_stroke", heading=head, unit=unit, names=("s",), formulas=shares)
+
+
+def share_of(whole: Formula) -> Formula:
+    """Return the formula of a path as a share of the stroke."""
+    return whole._replace(kernel=lambda at: whole.kernel(at) / at.drive.way(at.numbers))
 
 
 Linked = TypeVar("Linked", bound="LinkageRequest")
@@ -349,7 +353,7 @@ class LinkageDrive(Drive):
         drives = tuple(one.drive for one in question.drives)
         known = subject(page.subject).quantities()
         keys = [column.key for column in question.page_columns if column.key in known]
-        both = (each for key in keys or ["path"] for each in (key, f"{key}_return") if each in known)
+        both = (each for key in keys or ["path"] for each in (key, on_return(key)) if each in known)
         request = LinkageRequest(
             layout=page, angles=(Fraction(0),), drives=drives, columns=tuple(both), lang=question.lang
         )

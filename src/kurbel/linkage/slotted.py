@@ -8,16 +8,11 @@ from fractions import Fraction
 from functools import cache, partial
 from typing import Any
 
-from flint import arb
-
 from kurbel.drive.at import At, known
 from kurbel.drive.crank import LONGEST_ROD, RODLESS, Crank, DescribedDrive, radii
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball
-from kurbel.exact.course import Course
-from kurbel.exact.kind import Kind, balls
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
-from kurbel.exact.place import Place
 from kurbel.kernel import slotted as kernel
 from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.linkage import half_sine
@@ -34,6 +29,7 @@ from kurbel.linkage.linkage import (
     linkage_subject,
     plain_notes,
 )
+from kurbel.motion.drives import AT_REST
 from kurbel.motion.entries import OF_ROD, headed, in_units, measured
 from kurbel.motion.evaluation import OUT
 from kurbel.motion.motion_quantities import FORCES, Force, force_entries, torque_entries
@@ -330,24 +326,12 @@ class SlottedDrive(LinkageDrive):
     def is_free(self, quantity: Quantity) -> bool:
         return False
 
-    def ends(self, stroke: int) -> tuple[Place, Place]:
-        def angle(of: int, more: int) -> arb:
-            return more + ball(self.drive.dead_angle(of, balls())) / 180
-
-        return Place(partial(angle, stroke, 0), self.centre), Place(partial(angle, -stroke, 1), self.centre)
-
-    def _course(self, quantity: str, stroke: int) -> Course:
-        one = self.asked(quantity, stroke)
-        if one.rises:
-            at, slope, _ = self._slopes(one)
-            last = Fraction(1) if one.key == "path_stroke" else None
-            return Course(at, slope, *self.ends(stroke), ends=(Fraction(0), last))
-        return self.by_balls(one, stroke, *AT_REST, *(LEVER_AT_REST if self.drive.swings else ()))
+    @property
+    def at_rest(self) -> tuple[str, ...]:  # type: ignore[override]
+        # Where the lever swings it rests there, too.
+        return (*AT_REST, "lever_velocity", "coriolis", "rod_velocity") if self.drive.swings else AT_REST
 
 
-# What is zero at dead centres, and where the lever swings.
-AT_REST = ("velocity", "tangential_force", "tangential_force_n", "torque", "torque_nm")
-LEVER_AT_REST = ("lever_velocity", "coriolis", "rod_velocity")
 _PLAIN = plain_notes(
     words("$F$ auf den Stößel, in der Richtung des Hubes|$F$ on the ram, in the direction of the stroke"),
     words(

@@ -9,17 +9,16 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from math import inf
 from typing import Any
 
 import flint
 from flint import arb
 
-from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, TieBits, ball, half_turn_circle, rounded
+from kurbel.exact.certify import NEVER_TIES, TieBits, ball, half_turn_circle, pi, rounded
 from kurbel.exact.course import Course
 from kurbel.exact.kind import Kind, balls, surds
 from kurbel.exact.numerals import Label
@@ -37,6 +36,13 @@ from kurbel.reading.given import SHARE
 from kurbel.reading.notation import ratio_text
 
 ONE = Fraction(1)
+AT_REST = ("velocity", "tangential_force", "tangential_force_n", "torque", "torque_nm")
+# What paths and their shares are at dead centres, where that is rational: a stroke √a - √b with an irrational
+# root is not.
+PATHS: Mapping[str, tuple[Fraction | None, Fraction | None]] = {
+    **dict.fromkeys(("x", "path"), (Fraction(0), None)),
+    **dict.fromkeys(("x_stroke", "path_stroke"), (Fraction(0), ONE)),
+}
 
 
 def condition_names(entries: Iterable[Quantity]) -> Mapping[str, str]:
@@ -57,6 +63,9 @@ class Drive(ABC):
     has_rod = True
     # An angle about the middle of both strokes.
     centre: Centre = SQUARE
+    # The velocity of the piston, and all that is zero at dead centres where what acts does so along its way.
+    velocity = "velocity"
+    at_rest: tuple[str, ...] = AT_REST
 
     def __init__(self, drive: Any, entries: Mapping[str, Quantity]) -> None:
         self.drive, self.entries = drive, entries
@@ -164,15 +173,24 @@ class Drive(ABC):
         return not is_transcendental(quantity, self.crank)
 
     def ends(self, stroke: int) -> tuple[Place, Place]:
-        """Return the dead centres of the stroke, from that where it begins."""
-        begin, end = (exact_place(Fraction(at), SQUARE, flint.fmpz_poly([1 - 2 * at, 1])) for at in (0, 1))
+        """Return the dead centres of the stroke, from that where it begins; where both lie on the slide
+        direction exactly."""
+        if self.is_straight:
+            places = (exact_place(Fraction(at), SQUARE, flint.fmpz_poly([1 - 2 * at, 1])) for at in (0, 1))
+        else:
+            jet = self.jet(self.asked(self.velocity, stroke))
+            zero = None if jet is None else jet.value.norm()
+            places = (Place(angle, self.centre, zero) for angle in self.dead_angles(stroke))
+        begin, end = places
         return begin, end
 
-    def rests(self, velocity: Quantity, angles: Iterable[Callable[[], arb]]) -> tuple[Place, Place]:
-        """Return the places at these angles, in half turns, where a velocity is zero."""
-        jet = known(self.jet(velocity))
-        begin, end = (Place(angle, self.centre, jet.value.norm()) for angle in angles)
-        return begin, end
+    def dead_angles(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
+        """Return the same in half turns."""
+
+        def begin() -> arb:
+            return ball(self.drive.dead_angle(stroke, balls())) / 180
+
+        return begin, lambda: begin() + 1 + stroke * ball(self.drive.lead(balls())) / 180
 
     def formula_lines(self, question: FormulaContext, columns: Sequence[Column]) -> Iterator[Label]:
         """Yield the formulas that stand before what was found."""
@@ -185,10 +203,6 @@ class Drive(ABC):
     def asked(self, quantity: str, stroke: int) -> Quantity:
         """Return what a condition on a quantity is about."""
         return self.entries[self.column_of(quantity)]._replace(stroke=stroke)
-
-    def unclosed(self, quantity: Quantity, course: Course) -> Course:
-        """Return the course of a quantity that rises, of which algebra decides nothing else."""
-        return course
 
     def jet(self, quantity: Quantity) -> Jet | None:
         """Return the quantity and its slopes as functions of tan ½(φ - φ₀), None if it takes two roots."""
@@ -210,15 +224,19 @@ class Drive(ABC):
         one = self.asked(quantity, stroke)
         jet = self.jet(one)
         if jet is None and not one.rises:
-            raise ProblemError(
-                f"conditions on {quantity} are not solved{self.where}: nothing proves where it rises and"
-                " where it falls; solve for a quantity with fewer roots"
-            )
-        begin, end = self.ends(stroke)
+            return self.by_balls(one, stroke)
         at, slope, _ = self._slopes(one)
-        if jet is None:
-            return self.unclosed(one, Course(at, slope, begin, end))
-        return Course(at, slope, begin, end, jet.value, jet.slope)
+        course = Course(at, self._rise(one) if one.key in PATHS else slope, *self.ends(stroke))
+        if jet is not None:
+            return replace(course, formula=jet.value, formula_slope=jet.slope)
+
+        def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
+            def difference(kind: Kind) -> Numeric:
+                return self.value(one, kind.circle(180 * half_turns), kind) - kind.of(wanted)
+
+            return vanishes(difference)
+
+        return replace(course, ends=PATHS.get(one.key, (None, None)), is_exactly=is_exactly)
 
     def _slopes(self, quantity: Quantity) -> tuple[Callable[[arb], arb], ...]:
         """Return a quantity, its slope and the slope of that, over half turns in balls."""
@@ -228,12 +246,23 @@ class Drive(ABC):
 
         return at, *slopes(lambda half_turns: self.value(quantity, ball_jets(half_turns), balls()))
 
-    def by_balls(self, quantity: Quantity, stroke: int, *at_rest: str) -> Course:
+    def _rise(self, path: Quantity) -> Callable[[arb], arb]:
+        """Return the slope of a path, or of its share of the stroke, over half turns: the velocity."""
+        velocity, share = self.asked(self.velocity, path.stroke), PATHS[path.key][1]
+        whole = lru_cache(2)(lambda bits: ball(self.drive.way(balls())) if share else 1)
+
+        def rise(half_turns: arb) -> arb:
+            found = ball(self.value(velocity, half_turn_circle(half_turns), balls()))
+            return found * pi() / whole(flint.ctx.prec)
+
+        return rise
+
+    def by_balls(self, quantity: Quantity, stroke: int) -> Course:
         """Return the course of a quantity, proved by balls where it rises and falls: all zeros of its slope
         are enclosed. At dead centres those `at_rest` are known to be zero, and what balls know to be so."""
         at, slope, bend = self._slopes(quantity)
         ends = self.ends(stroke)
-        zero = quantity.key in at_rest
+        zero = quantity.key in self.at_rest
         first, last = (Fraction(0) if zero or at(place.half_turns()) == 0 else None for place in ends)
         inner = tuple(place for place in between(slope, bend, *ends, proved=True) if place not in ends)
         return Course(at, slope, *ends, ends=(first, last), inner=inner)
@@ -252,12 +281,10 @@ def ties_at(place: Place, surd: Surd | None, times: Fraction = ONE) -> TieBits |
     return tie_bits
 
 
-# What is zero at dead centres where all acts along the slide.
-TURNING = ("torque_nm", "tangential_force_n")
-
-
 class SlideDrive(Drive):
     """The straight or offset crank."""
+
+    velocity = "c"
 
     def __init__(self, crank: Crank, method: str = "exact") -> None:
         super().__init__(crank, slide_columns())
@@ -302,24 +329,15 @@ class SlideDrive(Drive):
 
     def jet(self, quantity: Quantity) -> Jet | None:
         """Return the quantity with its slopes; what masses add to a force has no rational numbers in it."""
-        return None if self._is_loaded(quantity) else super().jet(quantity)
+        loaded = self.crank.loaded and LOADED in quantity.formulas
+        return None if loaded else super().jet(quantity)
 
     @property
-    def _is_pushed_alone(self) -> bool:
-        """Whether all that acts does so on the piston, along the slide."""
-        moving = self.crank.moving
-        return self.crank.effort is None and (moving is None or moving.rod is None)
-
-    def _is_loaded(self, quantity: Quantity) -> bool:
-        return self.crank.loaded and LOADED in quantity.formulas
-
-    def _course(self, quantity: str, stroke: int) -> Course:
-        one = self.asked(quantity, stroke)
-        if not self._is_loaded(one):
-            return super()._course(quantity, stroke)
+    def at_rest(self) -> tuple[str, ...]:  # type: ignore[override]
         # In a dead centre what acts on the piston has no torque; across that of the straight crank nothing
         # acts, and balls know it.
-        return self.by_balls(one, stroke, *(TURNING if self._is_pushed_alone else ()))
+        moving = self.crank.moving
+        return AT_REST if self.crank.effort is None and (moving is None or moving.rod is None) else ()
 
     def asked(self, quantity: str, stroke: int) -> Quantity:
         """Return what a condition is about: of the rod angle its sine."""
@@ -328,25 +346,6 @@ class SlideDrive(Drive):
             return found
         sine = Formula(lambda at: kinematics.rod_sine(at.circle, at.ratio, at.offset or 0))
         return found._replace(formulas=dict.fromkeys(found.formulas, sine), unit=words(""))
-
-    def unclosed(self, quantity: Quantity, course: Course) -> Course:
-        # A stroke √a - √b with an irrational root is irrational.
-        ends = (Fraction(0), Fraction(1) if quantity.key == "x_stroke" else None)
-
-        def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
-            def difference(kind: Kind) -> Numeric:
-                return self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)
-
-            return vanishes(difference)
-
-        return replace(course, ends=ends, is_exactly=is_exactly)
-
-    def ends(self, stroke: int) -> tuple[Place, Place]:
-        if self.is_straight:
-            return super().ends(stroke)
-        angle = self.crank.dead_angle
-        angles = (lambda: ball(angle(stroke, balls())) / 180, lambda: 1 + ball(angle(-stroke, balls())) / 180)
-        return self.rests(self.asked("c", stroke), angles)
 
     def formula_lines(self, question: FormulaContext, columns: Sequence[Column]) -> Iterator[Label]:
         return formula_lines(question, columns)

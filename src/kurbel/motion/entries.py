@@ -439,13 +439,18 @@ def in_units(*said: Any, **rest: Any) -> Iterator[Quantity]:
     yield from (one, measured(one))
 
 
+def on_return(key: str) -> str:
+    """Return the key on the return stroke: x_return_mm of x_mm."""
+    stem = re.sub(_UNIT, "", key)
+    return f"{stem}_return{key.removeprefix(stem)}"
+
+
 def on_strokes(one: Quantity) -> Iterator[Quantity]:
     """Yield the quantity on the outstroke and, as x_return_mm, on the return."""
-    stem = re.sub(_UNIT, "", one.key)
-    if stem == ON_EITHER_STROKE:
+    if re.sub(_UNIT, "", one.key) == ON_EITHER_STROKE:
         yield one
         return
-    for key, stroke in ((one.key, OUT), (f"{stem}_return{one.key.removeprefix(stem)}", RETURN)):
+    for key, stroke in ((one.key, OUT), (on_return(one.key), RETURN)):
         part = STROKES[stroke]
         yield one._replace(
             key=key,
