@@ -121,8 +121,17 @@ def quantities() -> Mapping[str, Quantity]:
     return {one.key: one for one in found}
 
 
+class LinesRequest(BalanceRequest):
+    """What is asked for of the orders, and of all of them together."""
+
+    @property
+    def lines(self) -> tuple[int | None, ...]:
+        """The orders, and None for all of them."""
+        return (*self.orders, None)
+
+
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class AngleRequest(BalanceRequest):
+class AngleRequest(LinesRequest):
     """What is asked for: the forces and moments of an arrangement at angles of the shaft, by orders and
     all together."""
 
@@ -138,11 +147,6 @@ class AngleRequest(BalanceRequest):
     @property
     def in_own_units(self) -> bool:
         return any(one.key in PRINTED for one in self.page_columns)
-
-    @property
-    def lines(self) -> tuple[int | None, ...]:
-        """The orders, and None for all of them."""
-        return (*self.orders, None)
 
     @cached_property
     def vector(self) -> Callable[[str, int | None, int, int], tuple[Vector, Real]]:
@@ -195,7 +199,7 @@ def _number(question: AngleRequest, column: Column, place: Place, times: int) ->
     return number_in(question, column, key, value)
 
 
-def _notes(question: AngleRequest) -> Iterator[Label]:
+def angle_notes(question: LinesRequest) -> Iterator[Label]:
     yield WORDS["shaft"][question.lang]
     yield from balance_notes(question)
 
@@ -215,5 +219,5 @@ AT_ANGLES = _BALANCED._replace(
     axis_keys=("ratio", "residual", "phi", "order"),
     quantities=quantities,
     number=_number,
-    notes=_notes,
+    notes=angle_notes,
 )

@@ -329,13 +329,13 @@ class CrankWithMasses:
         spacing = "" if self.spacing is None or metres else f"$a = {amount(self.spacing, 'mm')}$"
         if self.each:
             size = f"${ratio_symbol[0]} = {amount(known(self.crank.radius), 'mm')}$"
-            yield WORDS["each"][lang].format(masses=_listed(self.each), rod=rod)
+            yield WORDS["each"][lang].format(masses=listed_once(self.each), rod=rod)
             yield ", ".join(filter(None, (size, turns_label(known(self.crank.speed)), spacing)))
         else:
             yield ", ".join(filter(None, (f"$m = {amount(self.mass, 'kg')}${rod}", spacing)))
         if self.revolving:
             yield WORDS["revolving"][lang].format(
-                masses=_listed(self.revolving), share=f"${figure(self.revolving_share)}$"
+                masses=listed_once(self.revolving), share=f"${figure(self.revolving_share)}$"
             )
         told = self.revolving or self.balance_radius is not None
         if told and any(weights := self.counterweights(arrangement)):
@@ -349,11 +349,11 @@ class CrankWithMasses:
             return ""
         masses = [one / self.balance_radius for one in weights]
         return WORDS["at_radius"][lang].format(
-            radius=f"${amount(self.balance_radius, 'mm')}$", masses=_listed(masses)
+            radius=f"${amount(self.balance_radius, 'mm')}$", masses=listed_once(masses)
         )
 
 
-def _listed(masses: Sequence[Fraction]) -> Label:
+def listed_once(masses: Sequence[Fraction]) -> Label:
     """Return masses in kg in a row, once where all are alike."""
     shown = masses[:1] if len(set(masses)) == 1 else masses
     return "; ".join(f"${amount(one, 'kg')}$" for one in shown)

@@ -11,7 +11,7 @@ An engine's cylinders and a layout become a table of the greatest free forces an
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache, partial
@@ -21,13 +21,11 @@ from typing import NamedTuple
 import flint
 from flint import arb, arb_series
 
-from kurbel.balancing.angles import WORDS, LineAxis, of_all
+from kurbel.balancing.angles import LineAxis, LinesRequest, angle_notes, of_all
 from kurbel.balancing.arrangement import LENGTHS, WEIGH, Arrangement, Residual, factor
 from kurbel.balancing.balance_page import (
     RESIDUALS,
     SUBJECT,
-    BalanceRequest,
-    balance_notes,
     balance_registry,
     in_newtons,
     number_in,
@@ -40,7 +38,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact import search
 from kurbel.exact.certify import NEVER_TIES, at_bits, ball, ball_circle, rounded
 from kurbel.exact.kind import balls
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Number
 from kurbel.exact.real import EXACT_ZERO, Real
 from kurbel.exact.search import SHARP_BITS, Summit, Zero, isolate
 from kurbel.kernel.harmonics import Star
@@ -274,7 +272,7 @@ def quantities() -> Mapping[str, Quantity]:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class ExtremesRequest(BalanceRequest):
+class ExtremesRequest(LinesRequest):
     """What is asked for: the greatest forces and moments of an arrangement over the turn, by orders and
     all together."""
 
@@ -283,11 +281,6 @@ class ExtremesRequest(BalanceRequest):
     @property
     def in_own_units(self) -> bool:
         return any(one.quantity.key == GREATEST for one in self.page_columns)
-
-    @property
-    def lines(self) -> tuple[int | None, ...]:
-        """The orders, and None for all of them."""
-        return (*self.orders, None)
 
     @cached_property
     def curve(self) -> Callable[[str, int], Curve]:
@@ -370,11 +363,6 @@ def _is_reached(question: ExtremesRequest, where: tuple[str, int], found: Greate
     return (of_all(question, key, crank, angle).square() - length**2).vanishes()
 
 
-def _notes(question: ExtremesRequest) -> Iterator[Label]:
-    yield WORDS["shaft"][question.lang]
-    yield from balance_notes(question)
-
-
 _BALANCED: Subject[ExtremesRequest] = SUBJECT
 EXTREMES = _BALANCED._replace(
     key="balance extremes",
@@ -383,6 +371,6 @@ EXTREMES = _BALANCED._replace(
     axes={**SUBJECT.axes, "order": LineAxis},
     quantities=quantities,
     number=_number,
-    notes=_notes,
+    notes=angle_notes,
     listed=lambda: (("balance --layout balance-greatest", quantities()[PLACE]),),
 )

@@ -15,6 +15,7 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
+from kurbel.balancing.arrangement import listed_once
 from kurbel.balancing.rotor import Mass, PlacedMass, force, moment, shares
 from kurbel.balancing.rotor_page import number_of
 from kurbel.balancing.vector import Vector, omega
@@ -291,8 +292,8 @@ def _notes(question: LocomotiveRequest) -> Iterator[Label]:
         + _listed(engine.planes, "mm") + f"; $R = {amount(engine.radius, 'mm')}$"
     )  # fmt: skip
     revolving = [one.revolving for one in engine.cranks]
-    masses = WORDS["reciprocating"][lang] + _listed(_once([one.reciprocating for one in engine.cranks]), "kg")
-    yield masses + (WORDS["revolving"][lang] + _listed(_once(revolving), "kg") if any(revolving) else "")
+    masses = WORDS["reciprocating"][lang] + listed_once([one.reciprocating for one in engine.cranks])
+    yield masses + (WORDS["revolving"][lang] + listed_once(revolving) if any(revolving) else "")
     if run := "; ".join(_said_of_run(question.run, lang)):
         yield run
     if engine.axles > 1:
@@ -314,11 +315,6 @@ def _said_of_run(run: Run, lang: str) -> Iterator[Label]:
     ):
         if value is not None:
             yield f"{WORDS[key][lang]}${amount(value, unit)}$"
-
-
-def _once(masses: list[Fraction]) -> list[Fraction]:
-    """Return one mass where all are alike."""
-    return masses[:1] if len(set(masses)) == 1 else masses
 
 
 def _listed(values: list[Fraction] | tuple[Fraction, ...], unit: str) -> Label:

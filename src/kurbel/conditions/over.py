@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from kurbel.conditions.solve import Root, at_share
-from kurbel.conditions.solve_page import DEGREE_DECIMALS
+from kurbel.conditions.solve_page import DEGREE_DECIMALS, counted
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
@@ -21,7 +21,6 @@ from kurbel.motion.evaluation import OUT, RETURN, STROKES, TURN, method_named, u
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.motion_quantities import registry
-from kurbel.motion.notes import force_notes, loaded_notes
 from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis, angle_decimals, angle_number
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, Texts, bare, filled, words
@@ -41,32 +40,15 @@ _TRIANGLE = {
 def notes(question: PathRequest) -> Iterator[Label]:
     """Yield the lines below the table: from where it counts, how the angle follows, formulas, lengths."""
     lang, drives, layout = question.lang, question.drives, question.layout
-    yield _counted(drives, lang)
+    yield counted(WORDS, drives, lang)
     if layout.formulas:
         yield from _formulas(question)
     if mechanism(question.mechanism).crosshead:
         # Pages of the others say it among their own lines.
-        yield from _acting(question)
+        said = (one.quantity.direction[lang] for one in question.page_columns if one.quantity.direction)
+        if directions := "; ".join(dict.fromkeys(said)):
+            yield directions
     yield from drives[0].closing_lines(question)
-
-
-def _counted(drives: tuple[Drive, ...], lang: str) -> Label:
-    """Return the line about where path and angle count from."""
-    straight = all(one.is_straight for one in drives)
-    strokes = {one.stroke if straight else "" for one in drives}
-    said = f"$S = {strokes.pop()}$" if len(strokes) == 1 and all(strokes) else WORDS["length"][lang]
-    return WORDS["straight" if straight else "oblique"][lang].format(stroke=said)
-
-
-def _acting(question: PathRequest) -> Iterator[Label]:
-    """Yield in which directions forces are positive, and what calls them up."""
-    lang, crank = question.lang, question.drives[0].crank
-    said = (one.quantity.direction[lang] for one in question.page_columns if one.quantity.direction)
-    if directions := "; ".join(dict.fromkeys(said)):
-        yield directions
-    yield from force_notes(question.cranks, lang)
-    if crank.loaded:
-        yield from loaded_notes(crank, question.layout.ratio_symbol, lang)
 
 
 def _formulas(question: PathRequest) -> Iterator[Label]:

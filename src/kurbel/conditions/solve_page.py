@@ -21,7 +21,6 @@ from kurbel.motion.evaluation import OUT, RETURN, STROKES, method_named, typed, 
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.motion_quantities import registry
-from kurbel.motion.notes import loaded_notes
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import AND, Column, Quantity, Words, bare, words
@@ -99,20 +98,20 @@ def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
 def notes(request: SolveRequest) -> Iterator[Label]:
     """Yield the lines below the table: angles, formulas, closed forms, lengths."""
     lang = request.lang
-    straight = all(one.is_straight for one in request.drives)
-    strokes = {one.stroke if straight else "" for one in request.drives}
-    said = f"$S = {strokes.pop()}$" if len(strokes) == 1 and all(strokes) else WORDS["length"][lang]
-    yield WORDS["straight" if straight else "oblique"][lang].format(stroke=said)
+    yield counted(WORDS, request.drives, lang)
     if any(condition.kind in EXTREMES for condition in request.conditions):
         yield WORDS["extremes"][lang]
     yield from request.drives[0].formula_lines(request, list(_digits(request)))
     yield from _forms(request)
-    crank = request.drives[0].crank
-    if crank.force is not None:
-        yield crank.force.note(lang)
-    if getattr(crank, "loaded", False):
-        yield from loaded_notes(crank, request.layout.ratio_symbol, lang)
     yield from request.drives[0].closing_lines(request)
+
+
+def counted(texts: Mapping[str, Words], drives: Sequence[Drive], lang: str) -> Label:
+    """Return the line about where paths and angles count from, and how long the stroke is."""
+    straight = all(one.is_straight for one in drives)
+    strokes = {one.stroke if straight else "" for one in drives}
+    said = f"$S = {strokes.pop()}$" if len(strokes) == 1 and all(strokes) else WORDS["length"][lang]
+    return texts["straight" if straight else "oblique"][lang].format(stroke=said)
 
 
 def _digits(request: SolveRequest) -> Iterator[Column]:

@@ -30,7 +30,7 @@ from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.captions import FormulaContext, formula_lines
 from kurbel.motion.evaluation import LOADED, OUT, Needs, certified, is_known, is_transcendental, typed, value
 from kurbel.motion.motion_quantities import registry
-from kurbel.motion.notes import drive_notes
+from kurbel.motion.notes import drive_notes, force_notes, loaded_notes
 from kurbel.page.quantity import Column, Formula, Quantity, multiplied, words
 from kurbel.reading.given import SHARE
 from kurbel.reading.notation import ratio_text
@@ -350,8 +350,12 @@ class SlideDrive(Drive):
     def formula_lines(self, question: FormulaContext, columns: Sequence[Column]) -> Iterator[Label]:
         return formula_lines(question, columns)
 
-    def closing_lines(self, question: FormulaContext) -> Iterable[Label]:
-        return drive_notes(question.cranks, question.lang)
+    def closing_lines(self, question: FormulaContext) -> Iterator[Label]:
+        crank, lang = question.cranks[0], question.lang
+        yield from force_notes(question.cranks, lang)
+        if crank.loaded:
+            yield from loaded_notes(crank, question.layout.ratio_symbol, lang)
+        yield from drive_notes(question.cranks, lang)
 
 
 @cache
