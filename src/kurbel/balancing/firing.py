@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 from itertools import pairwise, permutations, product
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 from kurbel.balancing.arrangement import Arrangement, Cylinder, check_count, row
@@ -229,8 +230,8 @@ class FiringCylinder(NamedTuple):
     interval: Fraction
 
 
-def _angle(key: str, name: str, heading: str, kernel: Callable[[Any], object]) -> Quantity:
-    return entry(key, name, "", "°", None, {"exact": Formula(kernel)}, heading)
+def _entry(key: str, name: str, heading: str, kernel: Callable[[Any], object], unit: str = "°") -> Quantity:
+    return entry(key, name, "", unit, None, {"exact": Formula(kernel)}, heading)
 
 
 def _intervals(firing: Firing) -> Label:
@@ -240,18 +241,13 @@ def _intervals(firing: Firing) -> Label:
 @cache
 def orders_registry() -> Mapping[str, Quantity]:
     """Return what is said of a firing order, by its key."""
-    text = {"exact": Formula(lambda firing: firing.text)}
     found = (
-        entry("firing_order", "Zündfolge|Firing order", "", "", None, text, "Zündfolge|Firing order"),
-        _angle("intervals", "Zündabstände|Firing intervals", "Abstände|Intervals", _intervals),
-        _angle(
-            "shortest", "kleinster Zündabstand|Shortest firing interval", "kleinster in °|Shortest in °",
-            lambda firing: min(firing.intervals),
-        ),
-        _angle(
-            "longest", "größter Zündabstand|Longest firing interval", "größter in °|Longest in °",
-            lambda firing: max(firing.intervals),
-        ),
+        _entry("firing_order", "Zündfolge|Firing order", "Zündfolge|Firing order", attrgetter("text"), ""),
+        _entry("intervals", "Zündabstände|Firing intervals", "Abstände|Intervals", _intervals),
+        _entry("shortest", "kleinster Zündabstand|Shortest firing interval", "kleinster in °|Shortest in °",
+               lambda firing: min(firing.intervals)),
+        _entry("longest", "größter Zündabstand|Longest firing interval", "größter in °|Longest in °",
+               lambda firing: max(firing.intervals)),
     )  # fmt: skip
     return {one.key: one for one in found}
 
@@ -259,29 +255,18 @@ def orders_registry() -> Mapping[str, Quantity]:
 @cache
 def cylinders_registry() -> Mapping[str, Quantity]:
     """Return what is said of a cylinder in a firing order, by its key."""
-    found = (
-        _angle(
-            "crank", "Kurbelwinkel des Zylinders|Crank angle of the cylinder", "Kurbel in °|Crank in °",
-            lambda fired: fired.crank,
-        ),
-        _angle(
-            "follows", "Nachlauf der Kurbel hinter der ersten|Angle by which the crank follows the first",
-            "Nachlauf in °|Follows by, in °", lambda fired: fired.follows,
-        ),
-        _angle(
-            "bank", "Winkel der Zylinderachse|Angle of the cylinder's axis", "Achse in °|Axis in °",
-            lambda fired: fired.bank,
-        ),
-        _angle(
-            "fires_at", "Zündwinkel|Firing angle", "Zündwinkel in °|Fires at, in °",
-            lambda fired: fired.fires_at,
-        ),
-        _angle(
-            "interval", "Zündabstand zum nächsten|Firing interval to the next",
-            "Abstand in °|Interval in °", lambda fired: fired.interval,
-        ),
-    )  # fmt: skip
-    return {one.key: one for one in found}
+    return {
+        key: _entry(key, name, heading, attrgetter(key))
+        for key, name, heading in (
+            ("crank", "Kurbelwinkel des Zylinders|Crank angle of the cylinder", "Kurbel in °|Crank in °"),
+            ("follows", "Nachlauf der Kurbel hinter der ersten|Angle by which the crank follows the first",
+             "Nachlauf in °|Follows by, in °"),
+            ("bank", "Winkel der Zylinderachse|Angle of the cylinder's axis", "Achse in °|Axis in °"),
+            ("fires_at", "Zündwinkel|Firing angle", "Zündwinkel in °|Fires at, in °"),
+            ("interval", "Zündabstand zum nächsten|Firing interval to the next",
+             "Abstand in °|Interval in °"),
+        )
+    }  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from abc import abstractmethod
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -141,14 +142,78 @@ WORDS: Mapping[str, Words] = {
 }
 
 
-@dataclass(frozen=True)
-class MechanismWords:
-    """What pages say of a crank that moves a rocker: by these words, and how its lengths are printed.
-    `further` are the keys of lines that pages of its motion have at their end."""
+def _lettered(line: Label, drive: RockerCrank) -> Label:
+    return re.sub(r"\bB\b", drive.letter, line)
 
-    words: Mapping[str, Words]
-    lengths: Callable[[Any], Mapping[str, Label | None]]
-    further: tuple[str, ...] = ()
+
+def _signed(line: Label, strokes: set[int], side: int) -> Label:
+    stroke, many = min(strokes), "both" if len(strokes) > 1 else ""
+    upper = 1 if many else stroke
+    parts = {
+        "{±}": SIGNS[many, upper],
+        "{lead}": "" if (many, upper) == ("", OUT) else f"{SIGNS[many, upper]} ",
+        "{β±}": SIGNS[many, upper * side],
+        "{β+}": SIGNS["", side],
+        "{β-}": SIGNS["", -side],
+    }
+    return filled(line, parts.items())
+
+
+def printed(value: Callable[[Kind], Numeric], decimals: int) -> str:
+    """The digits of an angle in degrees to 3 decimals, or of the stroke or the time ratio to 4.
+
+    No value of an arc crank lies on a rounding boundary. Sine and cosine of the angles have at most degree 4
+    over the rationals, those of a boundary, a k/n of a turn with n a multiple of 128, at least 32. The stroke
+    is transcendental (Lindemann). The time ratio (180° + Δ)/(180° - Δ) is transcendental (Gelfond-Schneider)
+    or, where Δ is m/n of a turn, (n + 2 m)/(n - 2 m) with φ(n) <= 8, hence n <= 30: no denominator of a
+    reduced one is a multiple of 32. Of a beam engine the angles have sines of degree 16 at most.
+    """
+    return digits_text(value, decimals)
+
+
+class RockerMechanism(LinkageMechanism):
+    """A crank that moves a rocker: what pages say of it, and what they call its parts."""
+
+    loads = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
+    motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
+    drawing = "kurbel.plot.drawings:arc_standing"
+    moving = "kurbel.plot.moving:rocker_scene"
+    rod = "kurbel.linkage.rocker:rod"
+    # What is said of a drive, by keys, and the keys of lines that pages of its motion have at their end.
+    words: ClassVar[Mapping[str, Words]]
+    further: ClassVar[tuple[str, ...]] = ()
+    names: ClassVar[Mapping[str, str]]
+
+    @abstractmethod
+    def measures(self, drive: Any) -> Mapping[str, Label | None]:
+        """Return the lengths of a drive as they are printed, by their letters; None of an infinite one."""
+
+    def check_method(self, said: DescribedDrive) -> None:
+        """Raise ProblemError for a method other than the exact one."""
+        if said.method not in (None, "exact"):
+            raise ProblemError(
+                f'method "{said.method}" has no formulas for {self.title}; use exact,'
+                " with --ratio 1:∞ for the infinite rod"
+            )
+
+    def loaded_notes(self, drives: Sequence[RockerCrank], lang: str) -> Sequence[Label]:
+        return [self.words["piston"][lang], *(self.dead_centres(drive, lang) for drive in drives)]
+
+    def rod_notes(self, drives: Sequence[RockerCrank], lang: str) -> Iterable[Label]:
+        yield from super().rod_notes(drives, lang)
+        yield from (self.dead_centres(one, lang) for one in drives)
+
+    def masses_notes(
+        self, crank: Crank, ratio_symbol: str, lang: str, shown: Collection[str] = ()
+    ) -> Iterable[Label]:
+        yield from moving_notes(crank, ratio_symbol, lang, self.words)
+        yield from self.held(crank, shown, lang)
+
+    def named(self, quantity: Quantity) -> Quantity:
+        return named(quantity, self.names)
+
+    def headed(self, column: Column) -> Column:
+        return headed(column, self.names)
 
     def caption(self, request: LinkageRequest) -> Label:
         """Return the layout's caption with its quantities and the lengths that all drives have in common."""
@@ -172,13 +237,9 @@ class MechanismWords:
         if crank.moving and crank.moving.reciprocating and any(one.startswith(GUIDE) for one in shown):
             yield self.words["held"][lang]
 
-    def engine_notes(self, drives: Sequence[RockerCrank], lang: str) -> list[Label]:
-        """Return what pages of engines say of these drives."""
-        return [self.words["piston"][lang], *(self.dead_centres(drive, lang) for drive in drives)]
-
-    def links(self, drive: RockerCrank) -> list[Label]:
+    def lengths(self, drive: RockerCrank) -> list[Label]:
         """Return the ratio and the lengths of a drive with their letters."""
-        lengths = self.lengths(drive).items()
+        lengths = self.measures(drive).items()
         texts = (f"${letter} = {length} R$" for letter, length in lengths if length is not None)
         return [f"$R:L = {ratio_text(drive.crank.ratio)}$", *texts]
 
@@ -187,7 +248,7 @@ class MechanismWords:
         angle, share = 3, 4
 
         return self.words["dead_centres"][lang].format(
-            drive=", ".join(self.links(drive)),
+            drive=", ".join(self.lengths(drive)),
             inner=printed(drive.inner, angle),
             outer=printed(drive.outer, angle),
             swing=printed(drive.swing, angle),
@@ -233,99 +294,6 @@ class MechanismWords:
             yield FORMULA_WORDS["signs"][lang]
 
 
-def _lettered(line: Label, drive: RockerCrank) -> Label:
-    return re.sub(r"\bB\b", drive.letter, line)
-
-
-def _signed(line: Label, strokes: set[int], side: int) -> Label:
-    stroke, many = min(strokes), "both" if len(strokes) > 1 else ""
-    upper = 1 if many else stroke
-    parts = {
-        "{±}": SIGNS[many, upper],
-        "{lead}": "" if (many, upper) == ("", OUT) else f"{SIGNS[many, upper]} ",
-        "{β±}": SIGNS[many, upper * side],
-        "{β+}": SIGNS["", side],
-        "{β-}": SIGNS["", -side],
-    }
-    return filled(line, parts.items())
-
-
-def _lengths(drive: ArcCrank) -> Mapping[str, Label | None]:
-    ratio = drive.crank.ratio
-    distance = drive.distance or (1 / ratio if ratio else None)
-    lengths = {"B": drive.rocker, "D": distance, "H": drive.pivot_height}
-    return {letter: None if one is None else exact_text(one) for letter, one in lengths.items()}
-
-
-def printed(value: Callable[[Kind], Numeric], decimals: int) -> str:
-    """The digits of an angle in degrees to 3 decimals, or of the stroke or the time ratio to 4.
-
-    No value of an arc crank lies on a rounding boundary. Sine and cosine of the angles have at most degree 4
-    over the rationals, those of a boundary, a k/n of a turn with n a multiple of 128, at least 32. The stroke
-    is transcendental (Lindemann). The time ratio (180° + Δ)/(180° - Δ) is transcendental (Gelfond-Schneider)
-    or, where Δ is m/n of a turn, (n + 2 m)/(n - 2 m) with φ(n) <= 8, hence n <= 30: no denominator of a
-    reduced one is a multiple of 32. Of a beam engine the angles have sines of degree 16 at most.
-    """
-    return digits_text(value, decimals)
-
-
-SPEECH = MechanismWords(WORDS, _lengths)
-
-
-SUBJECT = linkage_subject(
-    "arc crank",
-    layout="arc",
-    command="table --mechanism arc",
-    quantities=arc_registry,
-    caption=SPEECH.caption,
-    notes=SPEECH.notes,
-    ratios=True,
-)
-
-
-class RockerMechanism(LinkageMechanism):
-    """A crank that moves a rocker: what pages say of it, and what they call its parts."""
-
-    loads = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
-    motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
-    drawing = "kurbel.plot.drawings:arc_standing"
-    moving = "kurbel.plot.moving:rocker_scene"
-    rod = "kurbel.linkage.rocker:rod"
-    speech: ClassVar[MechanismWords]
-    names: ClassVar[Mapping[str, str]]
-
-    def check_method(self, said: DescribedDrive) -> None:
-        """Raise ProblemError for a method other than the exact one."""
-        if said.method not in (None, "exact"):
-            raise ProblemError(
-                f'method "{said.method}" has no formulas for {self.title}; use exact,'
-                " with --ratio 1:∞ for the infinite rod"
-            )
-
-    def loaded_notes(self, drives: Sequence[RockerCrank], lang: str) -> Sequence[Label]:
-        return self.speech.engine_notes(drives, lang)
-
-    def lengths(self, drive: RockerCrank) -> list[Label]:
-        """Return the lengths of a drive with their letters."""
-        return self.speech.links(drive)
-
-    def rod_notes(self, drives: Sequence[RockerCrank], lang: str) -> Iterable[Label]:
-        yield from super().rod_notes(drives, lang)
-        yield from (self.speech.dead_centres(one, lang) for one in drives)
-
-    def masses_notes(
-        self, crank: Crank, ratio_symbol: str, lang: str, shown: Collection[str] = ()
-    ) -> Iterable[Label]:
-        yield from moving_notes(crank, ratio_symbol, lang, self.speech.words)
-        yield from self.speech.held(crank, shown, lang)
-
-    def named(self, quantity: Quantity) -> Quantity:
-        return named(quantity, self.names)
-
-    def headed(self, column: Column) -> Column:
-        return headed(column, self.names)
-
-
 class Arc(RockerMechanism):
     name = "arc"
     title = ArcCrank.title
@@ -344,8 +312,14 @@ class Arc(RockerMechanism):
         "rocker_inertia",
         "method",
     )
-    speech = SPEECH
+    words = WORDS
     names = NAMES
+
+    def measures(self, drive: ArcCrank) -> Mapping[str, Label | None]:
+        ratio = drive.crank.ratio
+        distance = drive.distance or (1 / ratio if ratio else None)
+        lengths = {"B": drive.rocker, "D": distance, "H": drive.pivot_height}
+        return {letter: None if one is None else exact_text(one) for letter, one in lengths.items()}
 
     def lacking(self, said: DescribedDrive) -> str:
         if said.rocker is not None:
@@ -386,3 +360,12 @@ def _pivot(said: DescribedDrive, radius: Fraction | None) -> tuple[Fraction, Fra
 
 
 MECHANISM = Arc()
+SUBJECT = linkage_subject(
+    "arc crank",
+    layout="arc",
+    command="table --mechanism arc",
+    quantities=arc_registry,
+    caption=MECHANISM.caption,
+    notes=MECHANISM.notes,
+    ratios=True,
+)

@@ -181,17 +181,17 @@ def _moved(drive: RockerCrank) -> Any:
 
 
 def _caption(request: LinkageRequest) -> Label:
-    caption: Label = _moved(request.drives[0]).speech.caption(request)
+    caption: Label = _moved(request.drives[0]).caption(request)
     return caption
 
 
 def _notes(request: LinkageRequest) -> Iterator[Label]:
     lang, drives = request.lang, request.drives
     yield from size_notes(request.cranks)
-    speech = _moved(drives[0]).speech
+    moved = _moved(drives[0])
     yield from dict.fromkeys(turns_label(one.crank.speed) for one in drives if one.crank.speed)
-    yield from dict.fromkeys(connecting_rod(known(one.crank.rod), lang, "L", speech.words) for one in drives)
-    yield from (speech.dead_centres(drive, lang) for drive in drives)
+    yield from dict.fromkeys(connecting_rod(known(one.crank.rod), lang, "L", moved.words) for one in drives)
+    yield from (moved.dead_centres(drive, lang) for drive in drives)
 
 
 # Its quantities are listed as those of the slide.

@@ -31,7 +31,7 @@ from kurbel.kernel.circle import Numeric
 from kurbel.linkage.arc import ArcDrive
 from kurbel.linkage.arc_mechanism import NAMES as ARC_NAMES
 from kurbel.linkage.arc_mechanism import WORDS as ARC_WORDS
-from kurbel.linkage.arc_mechanism import MechanismWords, RockerMechanism, named, printed
+from kurbel.linkage.arc_mechanism import RockerMechanism, named, printed
 from kurbel.linkage.arc_quantities import OF_TURN, arc_registry
 from kurbel.linkage.beam_engine import BeamEngine, chord_square
 from kurbel.linkage.linkage import FORCES, linkage_subject
@@ -115,14 +115,6 @@ WORDS: Mapping[str, Words] = {
         for lang, said in ARC_WORDS["connecting_rod"].items()
     },
 }
-
-
-def _lengths(drive: BeamCrank) -> Mapping[str, Label | None]:
-    height = printed(drive.height, PLACES) if drive.crank.ratio else None
-    return {"a": exact_text(drive.arm), "D": height, "H": printed(drive.distance, PLACES)}
-
-
-SPEECH = MechanismWords(WORDS, _lengths, further=("piston", "swing"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -217,25 +209,19 @@ def beam_registry() -> Mapping[str, Quantity]:
     }
 
 
-SUBJECT = linkage_subject(
-    "beam engine",
-    layout="beam",
-    command="table --mechanism beam",
-    quantities=beam_registry,
-    caption=SPEECH.caption,
-    notes=SPEECH.notes,
-    ratios=True,
-)
-
-
 class Beam(RockerMechanism):
     name = "beam"
     title = BeamCrank.title
     layout = "beam"
     forces_layout = "forces-beam"
     takes = ("ratio", "stroke", "rod", "speed", "acceleration", "beam", "rocker_inertia", "method")
-    speech = SPEECH
+    words = WORDS
+    further = ("piston", "swing")
     names = NAMES
+
+    def measures(self, drive: BeamCrank) -> Mapping[str, Label | None]:
+        height = printed(drive.height, PLACES) if drive.crank.ratio else None
+        return {"a": exact_text(drive.arm), "D": height, "H": printed(drive.distance, PLACES)}
 
     def lacking(self, said: DescribedDrive) -> str:
         if said.beam is not None:
@@ -253,3 +239,12 @@ class Beam(RockerMechanism):
 
 
 MECHANISM = Beam()
+SUBJECT = linkage_subject(
+    "beam engine",
+    layout="beam",
+    command="table --mechanism beam",
+    quantities=beam_registry,
+    caption=MECHANISM.caption,
+    notes=MECHANISM.notes,
+    ratios=True,
+)

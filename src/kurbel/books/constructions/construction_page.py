@@ -274,9 +274,9 @@ def _drive_notes(request: ConstructionRequest) -> Iterator[Label]:
     elif not _has_ratio(request):
         yield from filter(None, [", ".join(request.mechanism.lengths(request.drive))])
     elif request.drive.at_end:
-        from kurbel.linkage.arc_mechanism import SPEECH
+        from kurbel.linkage.arc_mechanism import MECHANISM
 
-        yield SPEECH.dead_centres(request.drive, request.lang)
+        yield MECHANISM.dead_centres(request.drive, request.lang)
 
 
 SUBJECT = Subject(
