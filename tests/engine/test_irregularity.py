@@ -27,12 +27,10 @@ from kurbel.kernel.circle import circle
 from kurbel.kernel.irregularity import (
     METHODS,
     MOST_STEPS,
-    Kind,
+    engine,
     exact,
     extremes,
     first_order,
-    load,
-    of_weisbach,
 )
 
 # mpmath has no types.
@@ -41,7 +39,6 @@ Floats = NDArray[np.float64]
 
 DIGITS = 30
 ACCURACY = 2e-15
-KINDS = [Kind(exact), Kind(first_order), Kind(first_order, of_weisbach)]
 
 EDGES = [
     (1 + 1e-9, 0.3, None),
@@ -316,20 +313,20 @@ def test_the_unknown_stands_for_an_angle_and_a_place(motion: Any, ratio: float, 
     assert 2 * place.rest == pytest.approx(path(circle(float(rest)), ratio), rel=1e-12)
     assert place.velocity == pytest.approx(velocity(circle(float(rest)), ratio), rel=1e-11)
     before, after = motion(ratio, tangent * (1 - step)), motion(ratio, tangent * (1 + step))
-    assert place.slope == pytest.approx((after.share - before.share) / (2 * step), rel=1e-6, abs=1e-10)
+    assert place.fall == pytest.approx((after.share - before.share) / (2 * step), rel=1e-6, abs=1e-10)
     rise = np.log(after.velocity / before.velocity) / (2 * step)
     assert place.rise == pytest.approx(rise, rel=1e-6, abs=1e-8)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_few_engines_need_more_steps_and_those_end_at_the_root(kind: Any) -> None:
+@pytest.mark.parametrize("motion", METHODS.values())
+def test_few_engines_need_more_steps_and_those_end_at_the_root(motion: Any) -> None:
     eps, ratio, back = many(20_000)
-    assert np.mean(extremes(kind, 0.95 * ratio, load(eps, back))[0] > 0) < 0.01
+    assert np.mean(extremes(motion, engine(eps, 0.95 * ratio, back))[0] > 0) < 0.01
     random = np.random.default_rng(8)
     eps = np.exp(random.uniform(0.01, 30, 20_000))
     ratio = 1 - 10 ** random.uniform(-15, -1, eps.size)
     back = 10 ** random.uniform(-12, -0.01, eps.size) * (1 + np.log(eps)) / eps
-    assert (extremes(kind, ratio, load(eps, back), MOST_STEPS)[0] <= 0).all()
+    assert (extremes(motion, engine(eps, ratio, back), MOST_STEPS)[0] <= 0).all()
 
 
 @pytest.mark.parametrize("method", ["exact", "series"])
@@ -385,22 +382,23 @@ def test_clearance_and_exponent_are_those_of_the_definition(engine: Any) -> None
 
 def test_no_clearance_and_exponent_1_are_the_plain_engine() -> None:
     eps, ratio, back = np.linspace(1.1, 40, 50), np.linspace(0, 0.9, 50), 0.02
-    plain = np.asarray(compute_delta(eps, ratio, back))
     kinds: list[dict[str, Any]] = [{"clearance": 0}, {"exponent": 1}, {"clearance": 0, "exponent": 1}]
-    for more in kinds:
-        np.testing.assert_allclose(
-            np.asarray(compute_delta(eps, ratio, back, **more)), plain, rtol=2e-14, atol=0
-        )
+    for more, method in product(kinds, METHODS):
+        plain = np.asarray(compute_delta(eps, ratio, back, method=method))
+        assert (np.asarray(compute_delta(eps, ratio, back, **more, method=method)) == plain).all()
+    # Among others, too.
+    mixed = np.asarray(compute_delta(eps, ratio, back, exponent=np.tile([1.0, 1.2], 25)))
+    assert (mixed[::2] == np.asarray(compute_delta(eps, ratio, back))[::2]).all()
 
 
 # numba takes seconds to compile all of them.
+ALL = ["best", "back", "clearance", "exponent"]
 LOOPS = [
     ("exact", "back"),
     *(
         pytest.param(method, kind, marks=pytest.mark.slow)
-        for method in ("exact", "series")
-        for kind in ("best", "back", "clearance", "exponent")
-        if (method, kind) != ("exact", "back")
+        for method, kinds in [("exact", ALL[:1] + ALL[2:]), ("series", ALL), ("weisbach", ["best", "back"])]
+        for kind in kinds
     ),
 ]
 

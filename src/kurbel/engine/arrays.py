@@ -344,15 +344,14 @@ class Irregularities:
         if steam is None:
             every = len(steams) * len(ratios)
             return np.zeros(every, np.int64), np.ones(every, bool)
-
-        def over(name: str) -> Floats:
-            return np.repeat([float(getattr(one, name)) for one in steams], len(ratios))
-
-        given: dict[str, Floats | None] = {"eps": over("expansion"), "ratio": np.tile(ratios, len(steams))}
-        given |= {"clearance": over("clearance"), "exponent": over("exponent")}
-        given["back"] = None if steam.back is None else over("back")
-        usual = [name for name, plain in (("clearance", 0), ("exponent", 1)) if getattr(steam, name) == plain]
-        found, bounds = enclosed_delta(given, method, usual)
+        given: dict[str, Any] = {
+            "eps": np.repeat([float(one.expansion) for one in steams if isinstance(one, Steam)], len(ratios)),
+            "ratio": np.tile(ratios, len(steams)),
+            "back": None if steam.back is None else float(steam.back),
+            "clearance": float(steam.clearance),
+            "exponent": float(steam.exponent),
+        }
+        found, bounds = enclosed_delta(given, method)
         return nearest(found, decimals, bounds, half_even=self.request.rounding == "half-even")
 
 

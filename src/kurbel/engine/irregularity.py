@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
-from math import inf, nextafter
+from collections.abc import Mapping
 from typing import Any, TypeAlias, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kurbel.engine.loads.ideal import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE
+from kurbel.engine.loads.ideal import LARGEST_EXPANSION, LEAST_CURVE
+from kurbel.engine.loads.ideal import RULES as STEAM_RULES
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.bulk import broadcast_shape, in_blocks
-from kurbel.kernel.irregularity import METHODS, TWO_OVER_PI, by_loops, by_numpy, load
+from kurbel.kernel.irregularity import METHODS, TWO_OVER_PI, engine, irregularity
 from kurbel.kernel.loops import pays
 from kurbel.reading.given import as_ratio_array, choose
 from kurbel.reading.names import checks_keywords
+from kurbel.reading.notation import bounds
 
 Floats: TypeAlias = NDArray[np.float64]
-Reader: TypeAlias = Callable[[slice], Floats]
 
-ALWAYS = ("eps", "ratio")
 # An engine takes NumPy as long as so many cells of a table of the motion.
 CELLS = 12
 # Of the work done and taken, in units of what is left: beyond it balls decide.
@@ -28,30 +27,12 @@ LARGEST_STRAIN = 1e9
 # By what share a float can be off where all work is left, and by what for the rounding of its inputs.
 UNITS, ROUNDED = 8e-15, 3e-16
 
-# Of each the least value, the bound that it does not reach, and why.
-LIMITS: Mapping[str, tuple[float, float, str]] = {
-    "eps": (
-        1, inf,
-        "it must be finite and 1 (no expansion) or more, for the cut-off comes after the share 1/ε of the"
-        " stroke",
-    ),
-    "ratio": (
-        0, 1,
-        "it must be 0 (infinite rod) or more and below 1, or the rod is too short to pass the dead centre",
-    ),
-    "back": (
-        0, 1.0000000000000002,
-        "it must lie within 0..1, for it is a share of the steam pressure before cut-off",
-    ),
-    "clearance": (
-        0, nextafter(LARGEST_CLEARANCE, inf),
-        f"it must lie within 0..{LARGEST_CLEARANCE}, for it is a share of the volume swept in a stroke",
-    ),
-    "exponent": (
-        nextafter(0, 1), nextafter(LARGEST_EXPONENT, inf),
-        f"it must be above 0 and at most {LARGEST_EXPONENT}, for the pressure falls as the steam expands",
-    ),
-}  # fmt: skip
+# What each number must be.
+RULES = {
+    "eps": "be finite and 1 (no expansion) or more, for the cut-off comes after the share 1/ε of the stroke",
+    "ratio": "be 0 (infinite rod) or more and below 1, or the rod is too short to pass the dead centre",
+    **STEAM_RULES,
+}
 
 
 @overload
@@ -109,74 +90,65 @@ def compute_delta(
     >>> compute_delta([2, 3], "1:5").round(6).tolist()
     [1.281865, 1.374452]
     """
-    formula = METHODS[choose(method, METHODS, "method")]
+    motion = METHODS[choose(method, METHODS, "method")]
     if np.asarray(ratio).dtype.kind == "U":
         ratio = as_ratio_array(ratio)
-    asked: dict[str, Any] = {
-        "eps": eps,
-        "ratio": ratio,
-        "back": back,
-        "clearance": clearance,
-        "exponent": exponent,
-    }
-    given = {name: _checked(one, name) for name, one in asked.items() if one is not None or name in ALWAYS}
-    if method == "weisbach" and len({"clearance", "exponent"} & set(given)):
+    further = {"back": back, "clearance": clearance, "exponent": exponent}
+    asked = {"eps": eps, "ratio": ratio} | {name: one for name, one in further.items() if one is not None}
+    given = {name: _checked(one, name) for name, one in asked.items()}
+    if method == "weisbach" and (np.any(given.get("clearance", 0)) or np.any(given.get("exponent", 1) != 1)):
         raise ProblemError('method "weisbach" has neither clearance nor exponent; use exact or series')
     shape = broadcast_shape(given)
     out = np.empty(shape)
-    readers = {name: _reader(values, shape) for name, values in given.items()}
-    by = by_loops if pays(f"δ {method}", CELLS * out.size, fast) else by_numpy
+    rows = {name: _row(values, shape) for name, values in given.items()}
+    by_numba = pays(f"δ {method}", CELLS * out.size, fast)
 
     def fill(block: slice) -> None:
-        numbers = {name: read(block) for name, read in readers.items()}
-        crank, forces = numbers.pop("ratio"), load(numbers.pop("eps"), **numbers)
-        _check_mean(forces.mean, block.start, shape)
-        out.reshape(-1)[block] = formula(by, crank, forces)
+        those = engine(**{name: row[block] for name, row in rows.items()})
+        if not those.mean.min() > 0:
+            first = _index(block.start + int((those.mean > 0).argmin()), shape)
+            raise ProblemError(
+                f"back{first} leaves no work: the mean force P would not be above 0; b must be below the mean"
+                " pressure of the steam, (1 + ln ε)/ε without clearance, as its default is for ε above 1 only"
+            )
+        out.reshape(-1)[block] = irregularity(motion, those, by_numba)
 
     in_blocks(fill, out.size)
     return out if shape else float(out)
 
 
-def enclosed_delta(
-    given: Mapping[str, Any], method: str, usual: Collection[str] = ()
-) -> tuple[Floats, Floats]:
+def enclosed_delta(given: Mapping[str, Any], method: str) -> tuple[Floats, Floats]:
     """Return δ of engines as `compute_delta` does, and by how much each may be off the δ of its exact inputs.
 
-    `given` has an array of each input's floats, of `back` None for the best one; `usual` names those that are
-    nowhere other than where nothing is told of them. Both are no numbers where an input is not valid, or so
-    little work is left that balls must decide.
+    `given` has an array of each input's floats or one for all, of ε an array, of `back` None for the best
+    one. Both are no numbers where an input is not valid, or so little work is left that balls must decide.
     """
-    clearance, exponent = given["clearance"], given["exponent"]
+    eps, clearance, exponent = given["eps"], given["clearance"], given["exponent"]
     with np.errstate(all="ignore"):
-        forces = load(given["eps"], given["back"], clearance, exponent)
+        those = engine(**given)
         # The pressures of the steam and against it, added up, for what the first is above the second.
-        strain = 1 + 2 * TWO_OVER_PI * forces.back / forces.mean
-        good = (forces.mean > 0) & (strain < LARGEST_STRAIN) & (given["eps"] <= LARGEST_EXPANSION)
-        good &= (exponent == 1) | (np.abs(exponent - 1) > float(2 * LEAST_CURVE))
-        for name, one in given.items():
-            good &= True if one is None else _within(one, name)
-    found = np.full(len(good), np.nan)
-    if good.any():
-        own: dict[str, Any] = {
-            name: None if one is None or name in usual else one[good] for name, one in given.items()
-        }
-        found[good] = compute_delta(**own, method=method)
-    with np.errstate(all="ignore"):
-        stretch = exponent * np.log((1 + clearance) / (1 / given["eps"] + clearance))
+        strain = 1 + 2 * TWO_OVER_PI * those.back / those.mean
+        stretch = exponent * np.log((1 + clearance) / (1 / eps + clearance))
         share = (UNITS + ROUNDED * stretch) * (1 + strain) + ROUNDED / (1 - given["ratio"])
-        return found, np.where(good, share * found, np.nan)
+    good = (those.mean > 0) & (strain < LARGEST_STRAIN) & (eps <= LARGEST_EXPANSION)
+    good &= (exponent == 1) | (np.abs(exponent - 1) > float(2 * LEAST_CURVE))
+    for name, one in given.items():
+        good &= one is None or _within(one, name)
+    found = np.full(len(good), np.nan)
+    own: dict[str, Any] = {name: one[good] if np.ndim(one) else one for name, one in given.items()}
+    found[good] = compute_delta(**own, method=method)
+    return found, share * found
 
 
-def _reader(values: Floats, shape: tuple[int, ...]) -> Reader:
-    """Return what gives a slice of the values, broadcast to the shape and counted in one row."""
-    if values.size == 1:
-        return lambda block: values.reshape(1)
+def _row(values: Floats, shape: tuple[int, ...]) -> Any:
+    """Return what has slices of the values, broadcast to the shape and counted in one row."""
     spread = np.broadcast_to(values, shape)
     # A slice of the flat iterator is a copy of that slice alone.
-    return (spread.reshape(-1) if spread.flags.c_contiguous else spread.flat).__getitem__
+    return spread.reshape(-1) if values.size == 1 or spread.flags.c_contiguous else spread.flat
 
 
-def _numbers(given: ArrayLike, name: str) -> Floats:
+def _checked(given: ArrayLike, name: str) -> Floats:
+    """Return the numbers of this name if all lie between their limits."""
     try:
         values = np.asarray(given)
         if values.dtype.kind == "O":
@@ -184,39 +156,23 @@ def _numbers(given: ArrayLike, name: str) -> Floats:
             values = np.asarray(np.frompyfunc(float, 1, 1)(values))
         elif values.dtype.kind not in "iuf":
             raise TypeError
-        return values.astype(np.float64, copy=False)
+        values = values.astype(np.float64, copy=False)
     except (TypeError, ValueError, OverflowError):
         raise NotationError(f"{name} must be a number or an array of numbers") from None
-
-
-def _checked(given: ArrayLike, name: str) -> Floats:
-    """Return the numbers of this name if all lie between their limits."""
-    values = _numbers(given, name)
     # Extremes make no array. NaN, if there is one, is both of them, and no comparison holds.
     if values.size and not (_within(values.min(), name) and _within(values.max(), name)):
         first = int(_within(values, name).argmin())
-        why = LIMITS[name][2]
-        raise ProblemError(f"{name}{_index(first, values.shape)} is {values.flat[first]:.15g}; {why}")
+        where, what = _index(first, values.shape), f"{values.flat[first]:.15g}"
+        raise ProblemError(f"{name}{where} is {what}; it must {RULES[name]}")
     return values
 
 
-def _within(values: Floats, name: str) -> NDArray[np.bool_]:
+def _within(values: Any, name: str) -> Any:
     """Return where the numbers of this name lie between their limits."""
-    least, below, _ = LIMITS[name]
-    return (values >= least) & (values < below)
-
-
-def _check_mean(mean: Floats, start: int, shape: tuple[int, ...]) -> None:
-    if mean.min() > 0:
-        return
-    # Where nothing but one-element arrays was given, all of the block is computed once.
-    first = _index(start + int((mean > 0).argmin()), shape)
-    raise ProblemError(
-        f"back{first} leaves no work: the mean force P would not be above 0; b must be below the mean"
-        " pressure of the steam, (1 + ln ε)/ε without clearance, as its default is for ε above 1 only"
-    )
+    outside = [beyond(values, float(bound)) for beyond, bound in bounds(RULES[name])]
+    return np.isfinite(values) & ~np.any(outside, axis=0)
 
 
 def _index(position: int, shape: tuple[int, ...]) -> str:
     """Return the index of an element, as it is written behind the name of the array."""
-    return f"[{', '.join(str(one) for one in np.unravel_index(position, shape))}]" if shape else ""
+    return str([*map(int, np.unravel_index(position, shape))]) if shape else ""

@@ -114,14 +114,25 @@ def written(functions: Sequence[Callable[..., object]], others: int = 0) -> Loop
     return _loop(tape, len(inputs), [function(point, *inputs[1:]) for function in functions])
 
 
-def written_formula(formula: Callable[..., Sequence[object]], reads: int) -> LoopSource:
-    """Return the loop that fills an array with each result of a formula of so many numbers.
+def rows_of(formula: Callable[..., Sequence[object]], reads: int) -> Callable[..., Any]:
+    """Return what gives a row for each result of a formula at arrays of so many numbers, all of one size.
 
-    Floats of the formula are numbers that never change. Raises UntraceableError.
+    Floats of the formula are numbers that never change. Needs numba; raises UntraceableError.
     """
+    import numpy as np
+
     tape = Tape()
     with tape.law():
-        return _loop(tape, reads, formula(*(tape.input(f"a{place}") for place in range(reads))))
+        text = _loop(tape, reads, formula(*(tape.input(f"a{place}") for place in range(reads))))
+    run = compiled(text)
+
+    def rows(*arrays: object) -> Any:
+        inputs = [np.require(one, np.float64, ("C", "A")) for one in arrays]
+        found = np.empty((text.fills, len(inputs[0])))
+        run(np.empty(0), *inputs, *found)
+        return found
+
+    return rows
 
 
 def _loop(tape: Tape, reads: int, results: Sequence[object]) -> LoopSource:

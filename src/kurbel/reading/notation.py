@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache, partial
 from itertools import pairwise
-from typing import overload
+from typing import Any, overload
 
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about as about
@@ -27,7 +27,7 @@ MOST_ROWS = 10**9
 BEFORE_UNIT = r"[+−-]?(?:\d+\s+(?=\d+/\d))?[\d.,]+(?:[eE][+-]?\d+)?(?:\s*/\s*[\d.,]+(?:[eE][+-]?\d+)?)?"
 
 # What a value is that is beyond a bound.
-_BEYOND: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
+_BEYOND: Mapping[str, Callable[[Any, Any], Any]] = {
     "above": operator.le, "least": operator.lt, "below": operator.ge, "most": operator.gt
 }  # fmt: skip
 
@@ -82,15 +82,15 @@ def check_bounds(what: str, value: Fraction | None, rule: str, unit: str = "") -
     "lie within 0..1, for ...", "be 0 or more and below 1", "be above 0 and at most 10^12 Pa". None is not
     known, and beyond nothing.
     """
-    if value is not None and any(beyond(value, bound) for beyond, bound in _bounds(rule)):
+    if value is not None and any(beyond(value, bound) for beyond, bound in bounds(rule)):
         raise ProblemError(f"{what} is {about(value)}{unit}; it must {rule}")
 
 
 @lru_cache(maxsize=256)
-def _bounds(rule: str) -> tuple[tuple[Callable[[Fraction, Fraction], bool], Fraction], ...]:
-    """Return the bounds of a rule, each with what is beyond it."""
-    found: list[tuple[Callable[[Fraction, Fraction], bool], Fraction]] = []
-    for word, number in pairwise(rule.partition(",")[0].split()):
+def bounds(rule: str) -> tuple[tuple[Callable[[Any, Any], Any], Fraction], ...]:
+    """Return the bounds of a rule, each with what is beyond it; "be 1 (no expansion) or more" has one."""
+    found: list[tuple[Callable[[Any, Any], Any], Fraction]] = []
+    for word, number in pairwise(re.sub(r" \(.*?\)", "", rule.partition(",")[0]).split()):
         if word == "within":
             low, _, high = number.partition("..")
             found += [(operator.lt, _bound(low)), (operator.gt, _bound(high))]

@@ -5,7 +5,6 @@ Two ways go in arrays over several options: of the motion of the straight crank,
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -112,9 +111,8 @@ def is_motion(plan: Plan, question: Question) -> bool:
 
 
 OF_DELTA = frozenset(("eps", "ratio", "back", "clearance", "exponent"))
-# What is left to the kernel's defaults where it is usual, and what the work left depends on.
-FURTHER = ("clearance", "exponent")
-KEYS = ("eps", "back", *FURTHER)
+# What the work left depends on.
+KEYS = ("eps", "back", "clearance", "exponent")
 
 
 @dataclass(frozen=True)
@@ -129,8 +127,7 @@ class Irregularities:
 
     def rows(self, points: Points) -> Rows:
         told = self._inputs(points)
-        usual = [name for name in FURTHER if self._usual[name]]
-        found, bounds = enclosed_delta(told, (self.question.methods or ("exact",))[0], usual)
+        found, bounds = enclosed_delta(told, (self.question.methods or ("exact",))[0])
         good = np.isfinite(bounds)
         digits = self.asked.plan.digits
         if digits is None:
@@ -172,16 +169,6 @@ class Irregularities:
         return {
             name: told[name] if name in told else None if one is None else np.full(len(points), float(one))
             for name, one in own.items()
-        }
-
-    @cached_property
-    def _usual(self) -> Mapping[str, bool]:
-        """Which options are nowhere other than they are where nothing is said of them."""
-        steam, varied = self.question.steams[0], self.asked.plan.axes
-        assert isinstance(steam, Steam)
-        return {
-            "clearance": steam.clearance == 0 and "clearance" not in varied,
-            "exponent": steam.exponent == 1 and "exponent" not in varied,
         }
 
 

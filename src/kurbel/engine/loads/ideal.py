@@ -17,8 +17,13 @@ from kurbel.kernel.steam import Expansion, best_back, power
 from kurbel.reading.notation import about, check_bounds, plain, too_small
 
 LARGEST_EXPANSION = 10**6
-LARGEST_EXPONENT = 10
-LARGEST_CLEARANCE = 10
+ANY_EXPONENT = "be above 0 and at most 10, for the pressure"
+# What numbers of steam must be.
+RULES = {
+    "back": "lie within 0..1, for it is a share of the steam pressure before cut-off",
+    "clearance": "lie within 0..10, for it is a share of the volume swept in a stroke",
+    "exponent": f"{ANY_EXPONENT} falls as the steam expands",
+}
 # The work of the expansion is a quotient by n - 1.
 LEAST_CURVE = Fraction(1, 10**6)
 # Below this share of Q no mean force drives anything, and δ, counted in it, grows beyond all bounds.
@@ -74,11 +79,8 @@ class Steam:
             raise ProblemError(
                 f"expansion ratio ε is {about(self.expansion)}; at most {LARGEST_EXPANSION} is allowed"
             )
-        check_bounds(
-            "back pressure b", self.back,
-            "lie within 0..1, for it is a share of the steam pressure before cut-off",
-        )  # fmt: skip
-        check_exponent(self.exponent, "exponent n", "falls as the steam expands")
+        check_bounds("back pressure b", self.back, RULES["back"])
+        check_exponent(self.exponent, "exponent n", RULES["exponent"])
         check_clearance(self.clearance)
         if not self.plain:
             self._check_valves()
@@ -201,9 +203,11 @@ def _law(ends: list[tuple[Numeric, Piece]]) -> Law:
     return Law(tuple(piece for _, piece in ends), tuple(end for end, _ in ends[:-1]))
 
 
-def check_exponent(exponent: Fraction, what: str, how: str = "rises as the volume shrinks") -> None:
+def check_exponent(
+    exponent: Fraction, what: str, rule: str = f"{ANY_EXPONENT} rises as the volume shrinks"
+) -> None:
     """Raise ProblemError unless p V^n = const can have it."""
-    check_bounds(f"{what}", exponent, f"be above 0 and at most {LARGEST_EXPONENT}, for the pressure {how}")
+    check_bounds(what, exponent, rule)
     if 0 < abs(exponent - 1) < LEAST_CURVE:
         raise ProblemError(
             f"{what} is {about(exponent)}, nearer to 1 than 10^-6; write 1, Mariotte's law,"
@@ -213,7 +217,4 @@ def check_exponent(exponent: Fraction, what: str, how: str = "rises as the volum
 
 def check_clearance(clearance: Fraction) -> None:
     """Raise ProblemError unless a cylinder can have it."""
-    check_bounds(
-        "clearance", clearance,
-        f"lie within 0..{LARGEST_CLEARANCE}, for it is a share of the volume swept in a stroke",
-    )  # fmt: skip
+    check_bounds("clearance", clearance, RULES["clearance"])
