@@ -218,9 +218,10 @@ def extremes(motion: Motion, of: Engine, steps: int = STEPS) -> Sequence[Floats]
     square = (motion(of.ratio, NEAR).velocity / (2 * NEAR)) ** 2
     least = wanted / root(2 * (square + root(square * square + wanted * wanted)))
     most = farther(np.maximum(least, NEAR), motion, of)
-    # Before the cut-off all pressures stay as they are, here with P as the unit, and a step less is enough.
-    free, pressure = of._replace(mean=1.0, back=0.0), (1 / wanted, 0.0)
-    least, restless = settled(least, motion, lambda *_: pressure, free, steps - 1)
+    # Before the cut-off all pressures stay as they are, here in units of P, and a step less is enough.
+    unit: Any = 1.0
+    free = of._replace(mean=unit, back=0.0)
+    least, restless = settled(least, motion, lambda *_: (unit / wanted, 0.0), free, steps - 1)
     most, change = settled(most, motion, expanding, of, steps)
     if motion is of_weisbach:
         # His angle is no true extreme, near which the work would not change: all its digits count.
