@@ -22,12 +22,12 @@ from kurbel.conditions.solve_page import WORDS as SOLVED
 from kurbel.conditions.solve_page import RootAxis, RootsQuestion, condition_axis, exists
 from kurbel.drive.at import CRANK_FORCES, CrankForce
 from kurbel.engine.captions import about_engines
-from kurbel.engine.cylinder import AnyTurn, Cylinder
+from kurbel.engine.cylinder import AnyTurn, Cylinder, cranks_of
 from kurbel.engine.engine_page import LoadAxis
 from kurbel.engine.engine_quantities import engine_registry
 from kurbel.engine.notes import from_dead_centre, notes
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.segments import At, Segment, cranks_of, extreme_value, extremes, is_level, segments, zeros
+from kurbel.engine.segments import At, Segment, extreme_value, extremes, is_level, segments, zeros
 from kurbel.engine.turn import Turn, turn_ties
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, at_bits, ball, rounded
@@ -80,7 +80,7 @@ class TurnForces:
 
     @cached_property
     def segments(self) -> list[Segment]:
-        return segments(self.turn, cranks_of(self.turn), self.turn.cycle)
+        return segments(self.turn, cranks_of(self.turn.engine), self.turn.cycle)
 
     def _quantity(self, column: str) -> Callable[[Segment, arb], Jet]:
         """Return what a column in Q or Q r shows, with its slopes."""

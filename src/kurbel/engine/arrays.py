@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from kurbel.drive.at import CrankForce
 from kurbel.drive.crank import Crank
 from kurbel.drive.moved import DeadCentres
-from kurbel.engine.cylinder import AnyTurn, CrankPosition, Cylinder, Peak, TurnPlace
+from kurbel.engine.cylinder import AnyTurn, CrankPosition, Cylinder, Peak, TurnPlace, cranks_of
 from kurbel.engine.engine_quantities import value
 from kurbel.engine.irregularity import enclosed_delta
 from kurbel.engine.loads.ideal import Steam
@@ -59,8 +59,8 @@ class FloatTurn(AnyTurn):
     def total(self, value: OnAngle, places: Floats, first: float) -> Floats:
         """Return the sum of a number and of what each crank has at an array of half turns."""
         total = np.full_like(places, first)
-        for start, cylinder in self.cranks():
-            total += _on_strokes(cylinder, start, value, places)
+        for part, start in cranks_of(self.engine):
+            total += _on_strokes(self.cylinders[part], start, value, places)
         return total
 
     def energies(self, places: Floats) -> Floats:
@@ -82,12 +82,6 @@ class FloatTurn(AnyTurn):
         with at_bits(ISOLATING_BITS):
             found = self._proved.peaks(greatest, stroke)
             return [Peak(float(one.place), float(one.energy), one.stroke) for one in found]
-
-    def cranks(self) -> Iterator[tuple[Fraction, Cylinder]]:
-        """Yield each crank's start, and its cylinder."""
-        for part, cylinder in zip(self.engine.parts, self.cylinders, strict=True):
-            for start in part.starts:
-                yield start, cylinder
 
 
 class ArrayTurn(FloatTurn):
@@ -191,17 +185,10 @@ class EnclosedTurn(AnyTurn):
         def of_first(cylinder: Cylinder, stroke: int, angle: Numeric) -> Numeric:
             return cylinder.force(force, stroke, angle)
 
-        part, start = next(self._cranks())
-        return self._on_strokes(of_first, half_turns, part, start)
+        return self._on_strokes(of_first, half_turns, *cranks_of(self.engine)[0])
 
     def _total(self, value: OnAngle, places: Places) -> Any:
-        return sum(self._on_strokes(value, places, *one) for one in self._cranks())
-
-    def _cranks(self) -> Iterator[tuple[int, Fraction]]:
-        """Yield the part of each crank, and by how many half turns it follows."""
-        for number, part in enumerate(self.engine.parts):
-            for start in part.starts:
-                yield number, start
+        return sum(self._on_strokes(value, places, *crank) for crank in cranks_of(self.engine))
 
     def _on_strokes(self, value: OnAngle, places: Places, part: int, start: Fraction) -> Enclosure:
         """Return what a crank has at each of the places."""
@@ -289,8 +276,7 @@ class EngineColumns(LongColumns):
         return one.quantity.of == OF_TURN
 
     def starts(self) -> Iterator[Fraction]:
-        for part in self.question.first.parts:
-            yield from part.starts
+        return (crank.start for crank in cranks_of(self.question.first))
 
     def drives(self) -> Iterator[DeadCentres]:
         yield from self.question.drives

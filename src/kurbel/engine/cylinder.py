@@ -55,10 +55,21 @@ class Member(NamedTuple):
     start: Fraction = Fraction(0)
 
 
+class Crank(NamedTuple):
+    """A crank: which part of the engine it is of, and the half turns by which it follows the first."""
+
+    part: int
+    start: Fraction
+
+
+def cranks_of(engine: Engine | Assembly) -> list[Crank]:
+    """Return all cranks of an engine, the first one first."""
+    return [Crank(part, start) for part, one in enumerate(engine.parts) for start in one.starts]
+
+
 def members_of(engine: Engine | Assembly) -> tuple[Member, ...]:
     """Return every cylinder of an engine."""
-    places = [(part, start) for part, one in enumerate(engine.parts) for start in one.starts]
-    return tuple(Member(number, *place) for number, place in enumerate(places, 1))
+    return tuple(Member(number, *crank) for number, crank in enumerate(cranks_of(engine), 1))
 
 
 class Peak(NamedTuple):
@@ -247,11 +258,7 @@ class AnyTurn(ABC):
 
     def _positions(self, half_turns: Fraction) -> tuple[CrankPosition, ...]:
         """Return where each crank stands, the first one first."""
-        return tuple(
-            self.standing(half_turns, part, start)
-            for part, one in enumerate(self.engine.parts)
-            for start in one.starts
-        )
+        return tuple(self.standing(half_turns, *crank) for crank in cranks_of(self.engine))
 
     @abstractmethod
     def peaks(self, greatest: bool, stroke: int | None = None) -> Sequence[Peak]:
@@ -273,11 +280,10 @@ class AnyTurn(ABC):
     def dead_centres(self) -> Iterator[Fraction]:
         """Yield the half turns of all dead centres over a cycle, in any order; those that are
         irrational, just beyond."""
-        for part, cylinder in zip(self.engine.parts, self.cylinders, strict=True):
-            for start, stroke in product(part.starts, range(self.cycle)):
-                begun = cylinder.drive.dead_centre(stroke % 2)
-                beyond = Fraction(0) if cylinder.drive.regular else Fraction(float(begun)) + JUST_BEYOND
-                yield start + stroke + beyond
+        for (part, start), stroke in product(cranks_of(self.engine), range(self.cycle)):
+            drive = self.cylinders[part].drive
+            begun = drive.dead_centre(stroke % 2)
+            yield start + stroke + (Fraction(0) if drive.regular else Fraction(float(begun)) + JUST_BEYOND)
 
     @property
     def pi(self) -> Numeric:

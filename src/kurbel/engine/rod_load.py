@@ -18,9 +18,9 @@ from typing import NamedTuple
 from flint import arb
 
 from kurbel.drive.at import CrankForce
-from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.cylinder import AnyTurn, cranks_of
 from kurbel.engine.engine_quantities import Needs, engine_registry, row
-from kurbel.engine.segments import At, Part, Segment, cranks_of, extreme_value, extremes, parts, segments
+from kurbel.engine.segments import At, Part, Segment, extreme_value, extremes, parts, segments
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import at_bits
 from kurbel.exact.numerals import Label
@@ -101,7 +101,7 @@ class RodLoad(AnyRodLoad):
 
     @cached_property
     def segments(self) -> list[Segment]:
-        return segments(self.turn, [cranks_of(self.turn)[0]], len(self.turn.cylinder.strokes))
+        return segments(self.turn, [cranks_of(self.turn.engine)[0]], len(self.turn.cylinder.strokes))
 
     def quantity(self, segment: Segment, half_turns: arb) -> Jet:
         """Return the load with its slopes at a place of a segment."""

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import flint
 from flint import arb
 
-from kurbel.engine.cylinder import CrankPosition, Cylinder
+from kurbel.engine.cylinder import Crank, CrankPosition, Cylinder
 from kurbel.engine.turn import Turn, circle
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
@@ -41,13 +41,6 @@ from kurbel.kernel.law import Stroke
 PRECISIONS_KEPT = 32
 # Shares of a segment at which nothing is likely to be zero.
 ANYWHERE = (Fraction(3, 17), Fraction(5, 11), Fraction(23, 29))
-
-
-class Crank(NamedTuple):
-    """A crank of a turn: which part of the engine it is of, and the half turns by which it follows."""
-
-    part: int
-    start: Fraction
 
 
 class _Pinned(NamedTuple):
@@ -211,11 +204,6 @@ def _sign_between(segment: Segment, quantity: Quantity, start: Place, end: Place
             if bits > EQUAL_BITS and is_level(segment, quantity):
                 return 0
     raise unsettled("which sign a force has")
-
-
-def cranks_of(turn: Turn) -> list[Crank]:
-    """Return all cranks of a turn."""
-    return [Crank(part, start) for part, one in enumerate(turn.engine.parts) for start in one.starts]
 
 
 def segments(turn: Turn, cranks: Sequence[Crank], cycle: int) -> list[Segment]:

@@ -17,7 +17,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache, cached_property, partial
-from itertools import pairwise
+from itertools import pairwise, product
 from math import floor
 from typing import NamedTuple, NoReturn, TypeAlias
 
@@ -25,7 +25,7 @@ import flint
 from flint import arb
 
 from kurbel.drive.moved import Moved
-from kurbel.engine.cylinder import SIGNS, AnyTurn, CrankPosition, Cylinder, Peak
+from kurbel.engine.cylinder import SIGNS, AnyTurn, CrankPosition, Cylinder, Peak, cranks_of
 from kurbel.engine.engine import Assembly, Engine
 from kurbel.engine.loads.ideal import Steam
 from kurbel.errors import ProblemError
@@ -118,16 +118,13 @@ class Turn(AnyTurn):
         return gaps
 
     def _dead_centres(self) -> Iterator[tuple[Fraction, Fraction]]:
-        for part, one in enumerate(self.engine.parts):
-            drive = self.cylinders[part].drive
-            for start in one.starts:
-                for stroke in range(self.cycle):
-                    begun = start + stroke
-                    if drive.regular:
-                        yield begun, begun
-                    else:
-                        with at_bits(GAP_BITS):
-                            yield _ends(ball(self.cylinders[part].drive.dead_centre(stroke % 2)), begun)
+        for (part, start), stroke in product(cranks_of(self.engine), range(self.cycle)):
+            begun = start + stroke
+            if self.cylinders[part].drive.regular:
+                yield begun, begun
+            else:
+                with at_bits(GAP_BITS):
+                    yield _ends(ball(self.cylinders[part].drive.dead_centre(stroke % 2)), begun)
 
     def begun(self) -> list[CrankPosition]:
         dead = self.cylinder.drive.dead_centre(0)
