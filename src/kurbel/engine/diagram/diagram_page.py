@@ -178,42 +178,35 @@ class AreasRequest(DiagramRequest):
         return super().missing(quantity)
 
 
-def _greatest(question: TorquesRequest, key: str) -> float:
+_SPEEDS = {"omega": 1.0, "rpm": 30 / math.pi}
+
+
+def _most(question: DiagramRequest, key: str) -> float:
     """Return a bound of a quantity's magnitude, by which a column has its figures."""
-    excess, steady = question.excess, question.steady
-    torque = {"load_torque": excess.load, "excess_torque": excess.excess}.get(key, excess.drive)
-    if key == "excess_energy":
+    if key in _SPEEDS:
+        return float(known(question.steady).mean(floats())) * _SPEEDS[key]
+    if key == "excess_energy" or not isinstance(question, TorquesRequest):
         return question.swing
-    if key == "angular_acceleration":
-        return excess.greatest_torque(excess.excess) / float(question.inertia or 1)
-    most = excess.greatest_torque(torque)
-    return most if steady is None else _speed(steady, key, most)
+    excess = question.excess
+    of_torque = {"torque": excess.drive, "load_torque": excess.load}
+    most = excess.greatest_torque(of_torque.get(key, excess.excess))
+    return most / float(known(question.inertia)) if key == "angular_acceleration" else most
 
 
-def _speed(steady: Steady, key: str, other: float) -> float:
-    speeds = {"omega": 1.0, "rpm": 30 / math.pi}
-    return float(steady.mean(floats())) * speeds[key] if key in speeds else other
-
-
-def _settled(question: Question, column: Column, where: Fraction, times: int, most: float) -> Number:
-    decimals = figures(most) if column.decimals is None else column.decimals
-    kernel = column.quantity.formulas["exact"].kernel
-    scaled = settled(lambda kind: times * kernel(question, where, kind), decimals, question.rounding)
-    return Number(scaled, decimals)
-
-
-def _torque_number(question: TorquesRequest, column: Column, place: Place, times: int) -> Number:
-    where, key = question.angles[place["angle"]], column.quantity.key
-    return _settled(question, column, where, times, _greatest(question, key))
-
-
-def _area_number(question: AreasRequest, column: Column, place: Place, times: int) -> Number:
-    key, steady, areas = column.quantity.key, question.steady, question.areas
-    level = areas.levels[place["point"]]
-    if key == "level" and column.decimals is None:
-        column = column._replace(decimals=areas.level_decimals)
-    most = question.swing if steady is None else _speed(steady, key, question.swing)
-    return _settled(question, column, level, times, most)
+def _number(question: TorquesRequest | AreasRequest, column: Column, place: Place, times: int) -> Number:
+    """The printed number at a crank angle, or at a point between areas."""
+    quantity, decimals = column.quantity, column.decimals
+    if isinstance(question, TorquesRequest):
+        where = question.angles[place["angle"]]
+    else:
+        where = question.areas.levels[place["point"]]
+        if quantity.key == "level" and decimals is None:
+            decimals = question.areas.level_decimals
+    kernel = quantity.formulas["exact"].kernel
+    decimals = figures(_most(question, quantity.key)) if decimals is None else decimals
+    return Number(
+        settled(lambda kind: times * kernel(question, where, kind), decimals, question.rounding), decimals
+    )
 
 
 def _point_axis(question: AreasRequest) -> ListAxis:
@@ -268,7 +261,7 @@ OF_TORQUES = Subject(
     axes={"angle": AngleAxis, "column": ColumnAxis},
     axis_keys=("phi",),
     quantities=torque_registry,
-    number=_torque_number,
+    number=_number,
     caption=_caption,
     notes=_torque_notes,
     letters=True,
@@ -283,7 +276,7 @@ OF_AREAS = Subject(
     axes={"point": _point_axis, "column": ColumnAxis},
     axis_keys=("point",),
     quantities=areas_registry,
-    number=_area_number,
+    number=_number,
     caption=_caption,
     notes=_area_notes,
     letters=True,
