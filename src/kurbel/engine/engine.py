@@ -235,39 +235,15 @@ class Assembly:
         if len(speeds) > 1:
             raise ProblemError("the cylinders have masses at unlike speeds; one shaft has one speed")
 
-    @property
-    def first(self) -> Engine:
-        """The part whose Q and R are the units."""
-        return self.parts[0]
-
     def at_speed(self, factor: Fraction) -> Assembly:
         """Return the engine at so many times its speed, that of its masses."""
         parts = (part if part.crank.moving is None else part.at_speed(factor) for part in self.parts)
         return Assembly(tuple(parts))
 
     @property
-    def drive(self) -> Drive:
-        return self.first.drive
-
-    @property
     def crank(self) -> Crank:
-        return self.first.crank
-
-    @property
-    def steam(self) -> Acting:
-        return self.first.steam
-
-    @property
-    def load(self) -> Load | None:
-        return self.first.load
-
-    @property
-    def double(self) -> bool:
-        return self.first.double
-
-    @property
-    def pressure(self) -> Fraction | None:
-        return self.first.pressure
+        """That of the first part, whose Q and R are the units."""
+        return self.parts[0].crank
 
     @property
     def cranks(self) -> tuple[Fraction, ...]:
@@ -281,4 +257,4 @@ class Assembly:
 
     @property
     def plain(self) -> bool:
-        return len(self.parts) == 1 and self.first.plain
+        return len(self.parts) == 1 and self.parts[0].plain

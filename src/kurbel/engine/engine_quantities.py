@@ -160,9 +160,9 @@ def _turn_entries() -> Iterator[Quantity]:
     yield row("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", Of.TURN, 4,
               lambda turn, where: turn.back(), needs=(Needs.STEAM,))  # fmt: skip
     yield row("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", Of.TURN, None,
-              lambda turn, where: turn.engine.steam.exponent, needs=(Needs.CURVE,))  # fmt: skip
+              lambda turn, where: turn.part.steam.exponent, needs=(Needs.CURVE,))  # fmt: skip
     yield row("clearance", "schädlicher Raum|Clearance", "$κ$", "", Of.TURN, None,
-              lambda turn, where: turn.engine.steam.clearance, needs=(Needs.CLEARANCE,))  # fmt: skip
+              lambda turn, where: turn.part.steam.clearance, needs=(Needs.CLEARANCE,))  # fmt: skip
     yield row("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", Of.STROKE, 3,
               lambda turn, where: 180 * turn.cut_off(where.stroke), minutes=True, needs=(Needs.STEAM,),
               )  # fmt: skip

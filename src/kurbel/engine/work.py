@@ -28,7 +28,7 @@ def work(turn: AnyTurn, where: TurnPlace) -> Numeric:
 
 def mean_pressure(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the mean pressure of an end of a cylinder that works, in units of the pressure that Q is of."""
-    return abs(mean_pressure_of(turn.engine.parts[0], turn.cylinder.kind))
+    return abs(mean_pressure_of(turn.part, turn.cylinder.kind))
 
 
 def power(turn: AnyTurn, where: TurnPlace) -> Numeric:
@@ -43,7 +43,7 @@ def kilowatts(turn: AnyTurn) -> Numeric:
 
 def kilopascals(turn: AnyTurn) -> Numeric:
     """Return the pressure that Q is of, in kPa."""
-    return turn.of(known(turn.engine.pressure) / 1000)
+    return turn.of(known(turn.part.pressure) / 1000)
 
 
 def volumetric_efficiency(turn: AnyTurn, where: TurnPlace) -> Numeric:
@@ -58,7 +58,7 @@ def delivered(turn: AnyTurn, where: TurnPlace) -> Numeric:
 
 def flow(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return what all cylinders deliver in m³/min, in the state of suction."""
-    engine, speed = turn.engine.parts[0], known(turn.engine.crank.speed)
+    engine, speed = turn.part, known(turn.engine.crank.speed)
     bore, radius = known(engine.load).bore, known(engine.crank.radius)
     # π/4 d² times the stroke, both 2 R long and counted in R.
     swept = turn.of(bore**2 / 4 * radius) * turn.pi * turn.cylinder.drive.length
@@ -68,7 +68,7 @@ def flow(turn: AnyTurn, where: TurnPlace) -> Numeric:
 
 
 def _of_load(turn: AnyTurn, name: str) -> Numeric:
-    found: Numeric = getattr(turn.engine.steam, name)(turn.cylinder.kind)
+    found: Numeric = getattr(turn.part.steam, name)(turn.cylinder.kind)
     return found
 
 
@@ -96,7 +96,7 @@ def stage_work(key: str, turn: AnyTurn, where: TurnPlace) -> Numeric:
     A₁ = 2/ε, A₂ = 2 ln ε/ε, A₃ = 2 b of a straight crank by Mariotte's law. Source: Weisbach-Herrmann,
     § 150; the exponent, the clearance and other strokes than 2 R are ours.
     """
-    kind, steam = turn.cylinder.kind, turn.engine.parts[0].ideal
+    kind, steam = turn.cylinder.kind, turn.part.ideal
     length = turn.cylinder.drive.length
     exact = isinstance(length, int) and steam.exponent.denominator == 1
     rational = exact and (key != "expansion_work" or steam.exponent != 1)

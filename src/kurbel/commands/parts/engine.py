@@ -231,7 +231,7 @@ class Engine(Cylinder):
             cranks = (Fraction(0),) if self.cranks is None else self.cranks
             return {**found, **self.engines(page), "cranks": cranks}
         assembly, numbers = self._seen(self.assembly(page))
-        first, own = assembly.first, self.cylinder[numbers[0] - 1 if numbers else 0]
+        first, own = assembly.parts[0], self.cylinder[numbers[0] - 1 if numbers else 0]
         return {
             **found, "mechanism": self._merged(own).drive(), "steams": [first.steam], "drives": [first.drive],
             "double": first.double, "load": first.load, "assembly": assembly, "cranks": assembly.cranks,

@@ -318,7 +318,7 @@ GAS_WORDS = LoadWords(
 
 def words_of_cylinders(assembly: Assembly) -> LoadWords:
     """Return what is said of the cylinders of an engine."""
-    own, count = words_of(assembly.steam.name), len(assembly.cranks)
+    own, count = words_of(assembly.parts[0].steam.name), len(assembly.cranks)
     machine = CYLINDERS["of_several" if count > 1 else "of_one"]
     forces = {lang: said + CYLINDERS["of_first"][lang] for lang, said in own.forces.items()}
 
