@@ -213,13 +213,14 @@ def _work_entries() -> Iterator[Quantity]:
     yield row("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", Of.TURN, None,
               work.power, scale=work.kilowatts, needs=(Needs.POWER,))  # fmt: skip
     yield row("volumetric_efficiency", "volumetrischer Wirkungsgrad|Volumetric efficiency", "$η_v$", "",
-              Of.TURN, 4, work.volumetric_efficiency, needs=(Needs.COMPRESSOR,))  # fmt: skip
+              Of.TURN, 4, partial(work.of_load, "volumetric_efficiency"),
+              needs=(Needs.COMPRESSOR,))  # fmt: skip
     yield row("delivered", "Fördervolumen|Delivered volume", "$V/V_h$", "", Of.TURN, 4,
-              work.delivered, needs=(Needs.COMPRESSOR,))  # fmt: skip
+              partial(work.of_load, "delivered"), needs=(Needs.COMPRESSOR,))  # fmt: skip
     yield row("delivery", "Fördermenge|Delivery", "$V$", "m³/min", Of.TURN, None, work.flow,
               needs=(Needs.FLOW, Needs.POWER))  # fmt: skip
     yield row("efficiency", "idealer Wirkungsgrad|Ideal efficiency", "$η$", "", Of.TURN, 4,
-              work.efficiency, needs=(Needs.HEAT,))  # fmt: skip
+              partial(work.of_load, "efficiency"), needs=(Needs.HEAT,))  # fmt: skip
 
 
 def _flywheel_entries() -> Iterator[Quantity]:

@@ -46,16 +46,6 @@ def kilopascals(turn: AnyTurn) -> Numeric:
     return turn.of(known(turn.part.pressure) / 1000)
 
 
-def volumetric_efficiency(turn: AnyTurn, where: TurnPlace) -> Numeric:
-    """Return the share of the stroke on which a compressor sucks air."""
-    return _of_load(turn, "volumetric_efficiency")
-
-
-def delivered(turn: AnyTurn, where: TurnPlace) -> Numeric:
-    """Return the volume that a stroke delivers, in the state of suction, as a share of the swept one."""
-    return _of_load(turn, "delivered")
-
-
 def flow(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return what all cylinders deliver in m³/min, in the state of suction."""
     engine, speed = turn.part, known(turn.engine.crank.speed)
@@ -64,17 +54,14 @@ def flow(turn: AnyTurn, where: TurnPlace) -> Numeric:
     swept = turn.of(bore**2 / 4 * radius) * turn.pi * turn.cylinder.drive.length
     strokes = turn.of(ends(engine) * len(engine.starts) * 60 * speed.value)
     turns = strokes if speed.turns else strokes / (2 * turn.pi)
-    return delivered(turn, where) * swept * turns
+    return of_load("delivered", turn, where) * swept * turns
 
 
-def _of_load(turn: AnyTurn, name: str) -> Numeric:
+def of_load(name: str, turn: AnyTurn, where: TurnPlace) -> Numeric:
+    """Return what the load has by a name: the volumetric efficiency of a compressor, the share of its heat
+    that an ideal gas cycle makes work."""
     found: Numeric = getattr(turn.part.steam, name)(turn.cylinder.kind)
     return found
-
-
-def efficiency(turn: AnyTurn, where: TurnPlace) -> Numeric:
-    """Return the share of the heat that becomes work in an ideal gas cycle."""
-    return _of_load(turn, "efficiency")
 
 
 def ends(engine: Engine) -> Fraction:
