@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
-from typing import Any
 
 from kurbel.drive.at import known
 from kurbel.drive.crank import check_angles
@@ -40,63 +39,51 @@ TORQUES, AREAS = "torques", "areas"
 POINT = words("Punkt|Point")
 
 
+# Key, name, symbol, unit, kernel and what it needs: of the energy, of torques with that, of areas with that.
+_ENERGY: tuple[tuple[str, str, str, str, Callable[..., Numeric], *tuple[Need, ...]], ...] = (
+    ("excess_energy", "Überschussarbeit|Excess energy", "$W$", "J",
+     lambda asked, where, kind: asked.swinging.energy(where, kind)),
+    ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s",
+     lambda asked, where, kind: asked.omega(where, kind), RUN),
+    ("rpm", "Drehzahl|Speed", "$n$", '$"min"^(-1)$',
+     lambda asked, where, kind: 30 * asked.omega(where, kind) / kind.pi, RUN),
+)  # fmt: skip
+_TORQUES = (
+    ("torque", "Drehmoment|Torque", "$T$", "N m",
+     lambda asked, where, kind: asked.excess.torque(asked.excess.drive, where, kind)),
+    ("load_torque", "Lastmoment|Torque of the load", "$T_L$", "N m",
+     lambda asked, where, kind: asked.excess.torque(asked.excess.load, where, kind)),
+    ("excess_torque", "Überschuss|Excess torque", "$T - T_L$", "N m",
+     lambda asked, where, kind: asked.excess.torque(asked.excess.excess, where, kind)),
+    *_ENERGY,
+    ("angular_acceleration", "Winkelbeschleunigung|Angular acceleration", "$α$", '$"rad"/"s"^2$',
+     lambda asked, where, kind: asked.excess.torque(asked.excess.excess, where, kind) / kind.of(asked.inertia),
+     INERTIA),
+)  # fmt: skip
+_AREAS = (
+    ("level", "Fläche über der Mittellinie|Area above the mean line", "$A$", "",
+     lambda asked, where, kind: kind.of(where), SCALE),
+    *_ENERGY,
+)  # fmt: skip
+
+
 @cache
 def torque_registry() -> Mapping[str, Quantity]:
     """Return what is known of torques at a crank angle, by its key."""
-    return {one.key: one for one in _of_torques()}
+    return {row[0]: _entry(*row) for row in _TORQUES}
 
 
 @cache
 def areas_registry() -> Mapping[str, Quantity]:
     """Return what is known of areas at the points between them, by its key."""
-    return {one.key: one for one in _of_areas()}
+    return {row[0]: _entry(*row) for row in _AREAS}
 
 
 def _entry(
-    key: str, name: str, symbol: Label, unit: Label, kernel: Callable[..., Numeric], **rest: Any
+    key: str, name: str, symbol: Label, unit: Label, kernel: Callable[..., Numeric], *needs: Need
 ) -> Quantity:
-    return entry(key, name, symbol, unit, None, {"exact": Formula(kernel)}, spanners=(words(name),), **rest)
-
-
-def _of_torques() -> Iterator[Quantity]:
-    yield _entry("torque", "Drehmoment|Torque", "$T$", "N m",
-                 lambda asked, where, kind: asked.excess.torque(asked.excess.drive, where, kind))  # fmt: skip
-    yield _entry("load_torque", "Lastmoment|Torque of the load", "$T_L$", "N m",
-                 lambda asked, where, kind: asked.excess.torque(asked.excess.load, where, kind))  # fmt: skip
-    yield _entry("excess_torque", "Überschuss|Excess torque", "$T - T_L$", "N m", _excess)
-    yield from _of_energy()
-    yield _entry(
-        "angular_acceleration", "Winkelbeschleunigung|Angular acceleration", "$α$", '$"rad"/"s"^2$',
-        lambda asked, where, kind: _excess(asked, where, kind) / kind.of(known(asked.inertia)),
-        needs=(INERTIA,),
-    )  # fmt: skip
-
-
-def _of_areas() -> Iterator[Quantity]:
-    name = "Fläche über der Mittellinie|Area above the mean line"
-    yield _entry("level", name, "$A$", "", lambda asked, where, kind: kind.of(where), needs=(SCALE,))
-    yield from _of_energy()
-
-
-def _of_energy() -> Iterator[Quantity]:
-    """Yield the energy and the speed that is by it."""
-
-    def energy(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Numeric:
-        return asked.swinging.energy(where, kind)
-
-    def omega(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Numeric:
-        return known(asked.steady).at(energy(asked, where, kind), kind)
-
-    yield _entry("excess_energy", "Überschussarbeit|Excess energy", "$W$", "J", energy)
-    yield _entry("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", omega, needs=(RUN,))
-    yield _entry(
-        "rpm", "Drehzahl|Speed", "$n$", '$"min"^(-1)$',
-        lambda asked, where, kind: 30 * omega(asked, where, kind) / kind.pi, needs=(RUN,),
-    )  # fmt: skip
-
-
-def _excess(asked: TorquesRequest, where: Fraction, kind: Kind) -> Numeric:
-    return asked.excess.torque(asked.excess.excess, where, kind)
+    formulas = {"exact": Formula(kernel)}
+    return entry(key, name, symbol, unit, None, formulas, spanners=(words(name),), needs=needs)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -127,6 +114,10 @@ class DiagramRequest(Question, ABC):
         if self.inertia is None or self.speed is None:
             return None
         return Steady(self.swinging, self.inertia, self.speed)
+
+    def omega(self, where: Fraction, kind: Kind) -> Numeric:
+        """Return the angular velocity in 1/s."""
+        return known(self.steady).at(self.swinging.energy(where, kind), kind)
 
     def flywheel(self) -> Iterator[Label]:
         """Yield the line about the flywheel and its speed."""
