@@ -57,8 +57,8 @@ _TORQUES = (
      lambda asked, where, kind: asked.excess.torque(asked.excess.excess, where, kind)),
     *_ENERGY,
     ("angular_acceleration", "Winkelbeschleunigung|Angular acceleration", "$α$", '$"rad"/"s"^2$',
-     lambda asked, where, kind: asked.excess.torque(asked.excess.excess, where, kind) / kind.of(asked.inertia),
-     INERTIA),
+     lambda asked, where, kind:
+     asked.excess.torque(asked.excess.excess, where, kind) / kind.of(asked.inertia), INERTIA),
 )  # fmt: skip
 _AREAS = (
     ("level", "Fläche über der Mittellinie|Area above the mean line", "$A$", "",
