@@ -249,7 +249,8 @@ def test_every_way_to_share_out_the_axes_makes_a_page(
     first = data.draw(st.integers(0, end - 1))
     shared = {"down": axes[:end], "stub": axes[first:end], "across": axes[end:]}
     others = [line for line in usual.splitlines() if line.split(" =")[0] not in (*shared, *ARRANGED)]
-    text = "\n".join((*(f"{name} = {json.dumps(names)}" for name, names in shared.items()), *others))
+    noted = () if "\nnotes." in usual else ('notes = { de = ["Anmerkung"], en = ["Note"] }',)
+    text = "\n".join((*(f"{name} = {json.dumps(names)}" for name, names in shared.items()), *noted, *others))
     folder = own(tmp_path_factory.mktemp("axes"), text)
     words = SUBJECTS[key].sample.replace(f" --layout {about.layout}", "").split()
     if about.whole and axes[end:] != ["column"]:
@@ -261,5 +262,6 @@ def test_every_way_to_share_out_the_axes_makes_a_page(
         for layout in (("--layouts", folder, "--layout", "mine"), ("--layout", about.layout))
     )
     assert json.loads(page)["rows"] == json.loads(own_page)["rows"]
+    assert not noted or "Anmerkung" in [one["text"] for one in json.loads(page)["notes"]]
     for name in ("text", "html", "latex"):
         assert kurbel_in(*words, "--layouts", folder, "--layout", "mine", "-f", name).code == 0
