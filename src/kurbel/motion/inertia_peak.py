@@ -58,7 +58,7 @@ class Peak:
         self.masses = masses
         self._summit = Summit(self._magnitude)
         self._moved = _places(crank)
-        self._balls: dict[int, Masses[arb]] = {}
+        self._bearing = lru_cache(8)(lambda of, bits: Masses(*map(of, map(Fraction, masses))))
         self._last: tuple[arb | None, int, Jet] = (None, 0, Jet(0, 0, 0))
 
     @cached_property
@@ -115,42 +115,28 @@ class Peak:
             return Separation.rational(0)
         if not all(map(_is_exact, self.places)):
             return None
-        bounds = [self._bound(180 * place.low) for place in self.places]
-        return reduce(Separation.union, bounds)
+        formula, of = self.force.formula, Separation.rational
+        bounds: list[Any] = [self._at(formula, _bounds, place.low, of) for place in self.places]
+        found: Separation = reduce(Separation.union, bounds)
+        return found
 
-    def _bound(self, degrees: Fraction) -> Separation:
-        bound = self._bounded(self.force.formula, degrees, _itself, Separation.rational)
-        assert isinstance(bound, Separation)
-        return bound
-
-    def _bounded(
-        self, formula: RodFormula, degrees: Fraction, circle: CircleOf, of: Callable[[Fraction], Any]
+    def _at(
+        self,
+        formula: RodFormula,
+        circle: CircleOf,
+        place: arb | Fraction,
+        of: Callable[[Fraction], Any] = ball,
     ) -> Numeric:
-        """Return what the formula says of the bounds at an exact place."""
-        key = circle, degrees
-        if key not in self._moved:
-            self._moved[key] = _loaded(self.crank, circle(circle_separation(degrees)), of)
-        return formula(self._moved[key].bearing(Masses(*map(of, map(Fraction, self.masses)))))
-
-    def _at(self, formula: RodFormula, circle: CircleOf, half_turns: arb | Fraction) -> Numeric:
         """Return what the formula says of a place in half turns; the rod moves alike in all its forces."""
-        precision = flint.ctx.prec
-        masses = self._balls.get(precision)
-        if masses is None:
-            masses = self._balls[precision] = Masses(*map(ball, map(Fraction, self.masses)))
-        return formula(self._moving(circle, half_turns, precision).bearing(masses))
-
-    def _moving(self, circle: CircleOf, half_turns: arb | Fraction, precision: int) -> LoadedCrank:
-        """Return the crank at a place, as all forces of the rod and the masses for it ask for it."""
-        place: object = half_turns
-        if isinstance(half_turns, arb):
-            place = half_turns.mid().man_exp(), half_turns.rad().man_exp()
-        key = circle, place, precision
+        near: object = place
+        if isinstance(place, arb):
+            near = place.mid().man_exp(), place.rad().man_exp()
+        key = circle, near, flint.ctx.prec
         if key not in self._moved:
             if len(self._moved) >= MOST_PLACES:
                 self._moved.clear()
-            self._moved[key] = _loaded(self.crank, circle(half_turns), ball)
-        return self._moved[key]
+            self._moved[key] = _loaded(self.crank, circle(place), of)
+        return formula(self._moved[key].bearing(self._bearing(of, flint.ctx.prec)))
 
     def _jet(self, formula: RodFormula, half_turns: arb) -> Jet:
         return jet_of(self._at(formula, ball_jets, half_turns))
@@ -198,7 +184,7 @@ class Peak:
 
     def _is_level(self, quarter: Fraction) -> bool:
         """Whether the slope at a quarter of the turn is zero, proved by its separation bound."""
-        bits = jet_of(self._bounded(self.force.smooth, 180 * quarter, jets, _constant)).slope.bits()
+        bits = jet_of(self._at(self.force.smooth, _bound_jets, quarter, _constant)).slope.bits()
         return vanishes(lambda: self._slope(ball(quarter)), float(bits))
 
     def _value_at(self, place: Zero) -> arb:
@@ -243,8 +229,12 @@ def _exact(half_turns: Fraction) -> Circle[arb]:
     return ball_circle(180 * half_turns)
 
 
-def _itself(circle: Circle[Separation]) -> Circle[Separation]:
-    return circle
+def _bounds(half_turns: Fraction) -> Circle[Separation]:
+    return circle_separation(180 * half_turns)
+
+
+def _bound_jets(half_turns: Fraction) -> Circle[Jet]:
+    return jets(_bounds(half_turns))
 
 
 def _constant(value: Fraction) -> Jet:

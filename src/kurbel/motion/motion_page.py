@@ -121,8 +121,12 @@ class AngleQuestion(DriveQuestion):
         """Return the values of every column for every drive at an array of angles, in arrays of floats."""
         point, kind = circle(degrees), floats()
         return [
-            [self.value(column, place, point, kind) for place in self.places] for column in self.page_columns
+            [self.curve(column, place, point, kind) for place in self.places] for column in self.page_columns
         ]
+
+    def curve(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Numeric:
+        """Return a column over the crank angle, as floats."""
+        return self.value(column, place, point, kind)
 
     @cached_property
     def long(self) -> LongColumns | None:

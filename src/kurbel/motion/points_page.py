@@ -11,9 +11,9 @@ from typing import Any, Self
 from kurbel.drive.crank import Diameters
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind, floats
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
-from kurbel.kernel.circle import Circle, Numeric, circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.evaluation import METHODS, OFFSET, RETURN, columns_in_balls
 from kurbel.motion.mechanism import Mechanism, mechanism
@@ -244,17 +244,13 @@ class PointsRequest(AngleQuestion):
             return super().value(column, place, point, kind)
         return self.moved(place).value(column.quantity, point, kind)
 
-    def curves(self, degrees: Numeric) -> list[list[Any]]:
-        point, kind = circle(degrees), floats()
-        return [
-            [
-                _curve(column.quantity, self.moved(place), point, kind)
-                if column.key in points_registry()
-                else self.value(column, place, point, kind)
-                for place in self.places
-            ]
-            for column in self.page_columns
-        ]
+    def curve(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Numeric:
+        values, quantity = super().curve(column, place, point, kind), column.quantity
+        if quantity.of is not Of.DIRECTION:
+            return values
+        # A direction has gaps where the point rests.
+        amount = points_registry()[quantity.key.removesuffix("_direction")]
+        return continued(values, self.moved(place).value(amount, point, kind))
 
 
 def _without_ratio(page: Layout) -> Layout:
@@ -275,15 +271,6 @@ class PointAxis(ListAxis):
             lambda one: one.value(decimals),
             lambda one: one.label,
         )
-
-
-def _curve(quantity: Quantity, moved: MovedPoint, at: Circle[Numeric], kind: Kind) -> Numeric:
-    """Return a column over the crank angle, as floats; a direction has gaps where the point rests."""
-    values = moved.value(quantity, at, kind)
-    if quantity.of is not Of.DIRECTION:
-        return values
-    amount = points_registry()[quantity.key.removesuffix("_direction")]
-    return continued(values, moved.value(amount, at, kind))
 
 
 def _number(question: PointsRequest, column: Column, place: Place, times: int) -> Number | None:
