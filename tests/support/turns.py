@@ -125,7 +125,7 @@ class Speed:
 
         def speeds(begun: float) -> Grid:
             own = inertia if inertia is not None else number * abs(turn.mean) / begun**2
-            return np.sqrt(((own + first[0]) * begun**2 + 2 * work) / (own + moving))
+            return np.sqrt(np.maximum(0, ((own + first[0]) * begun**2 + 2 * work) / (own + moving)))
 
         self.first = float(brentq(lambda begun: sum(_range(speeds(begun))) - 2, 0.5, 2, xtol=1e-14))
         self.omega = speeds(self.first)
@@ -141,7 +141,8 @@ class Speed:
             return np.exp(factor * (span - since)) * nodes + np.exp(-factor * since) * begun, float(begun)
 
         wanted = number * turn.mean / 2
-        factor = brentq(lambda factor: energies(factor)[1] - wanted, 0.1 / number, 10 / number, xtol=1e-15)
+        ends = 0.01 / number, min(10 / number, 60)
+        factor = brentq(lambda factor: energies(factor)[1] - wanted, *ends, xtol=1e-15)
         speeds, begun = energies(factor)
         mean = sum(_range(np.sqrt(speeds))) / 2
         self.omega, self.first = np.sqrt(speeds) / mean, math.sqrt(begun) / mean

@@ -25,7 +25,7 @@ from flint import acb, arb, arb_poly, arb_series
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball, pi
 from kurbel.exact.kind import Kind, unordered
-from kurbel.exact.search import interval
+from kurbel.exact.search import Jet, interval
 from kurbel.kernel.circle import Circle
 
 # A comparison of floats nearer than this, or by so much of what they are, is left undecided.
@@ -170,7 +170,7 @@ Formula = Callable[[ComplexNumber], ComplexNumber]
 BOUND_BITS, GUARD_BITS = 64, 8
 # So often a rectangle about a disk is halved until a function is bounded on it.
 HALVINGS = 5
-# On so much of the radius a root or a quotient is bounded.
+# On so much of the radius a power is bounded.
 SHRUNK = Fraction(13, 16)
 
 
@@ -203,17 +203,23 @@ class Taylor:
             return tail.upper()
 
     def about(self, middle: Fraction) -> Taylor:
-        """Return the same function about another place within the disk."""
+        """Return the same function about another place, on a disk half as wide, and its bound there."""
         away = middle - self.middle
-        if not away:
-            return self
-        moved = self.terms(arb_poly([ball(away), 1])).coeffs()
-        factorial, terms = arb(1), []
+        moved, left = self.terms(arb_poly([ball(away), 1])), self._left_out(ball(away), 0)
+        # What its slope of an order k leaves out over k!, each from that before.
+        step, terms = abs(ball(away)) * (1 - abs(ball(away / self.radius))), []
         for order in range(self.length):
-            factorial *= max(order, 1)
-            known = moved[order] if order < len(moved) else arb(0)
-            terms.append(known + arb(0, (self._left_out(ball(away), order) / factorial).upper()))
-        return replace(self, middle=middle, radius=self.radius - abs(away), terms=arb_poly(terms))
+            terms.append(moved[order] + arb(0, left.upper()))
+            left = left * (self.length - order) / ((order + 1) * step)
+        found = replace(self, middle=middle, radius=self.radius - abs(away), terms=arb_poly(terms))
+        return replace(found, radius=self.radius / 2, bound=found._range(self.radius / 2)[1])
+
+    def _range(self, radius: Fraction) -> tuple[arb, arb]:
+        """Return what the function's magnitude is at least and at most on a smaller disk."""
+        with at_bits(BOUND_BITS):
+            reach, first = ball(radius), abs(self.terms[0])
+            swing = arb_poly([0, *map(abs, self.terms.coeffs()[1:])])(reach) + self._left_out(reach, 0)
+            return (first - swing).lower(), (first + swing).upper()
 
     def sum(self) -> Taylor:
         """Return the integral from the middle on."""
@@ -232,27 +238,61 @@ class Taylor:
         if not isinstance(other, Taylor):
             return replace(self, terms=self.terms * other, bound=(self.bound * abs(other)).upper())
         count, radius = min(self.length, other.length), min(self.radius, other.radius)
-        with terms_kept(count):
-            terms = arb_series(self.terms.coeffs()) * arb_series(other.terms.coeffs())
-        return Taylor(
-            self.middle, radius, arb_poly(terms.coeffs()), count, (self.bound * other.bound).upper()
-        )
+        terms = (self.terms * other.terms).truncate(count)
+        return Taylor(self.middle, radius, terms, count, (self.bound * other.bound).upper())
+
+    def __truediv__(self, other: Taylor | arb) -> Taylor | Quotient:
+        return Quotient(self, other) if isinstance(other, Taylor) else self * (1 / other)
 
     def power(self, exponent: Fraction) -> Taylor | None:
-        """Return a power below 0, None where the function is not proved to be above 0 on a smaller disk."""
-        radius, first = self.radius * SHRUNK, self.at(ball(self.middle))
-        with at_bits(BOUND_BITS):
-            reach, swing = ball(radius), arb(0)
-            for term in reversed(self.terms.coeffs()[1:]):
-                swing = (swing + abs(term).upper()) * reach
-            least = (first - swing - self._left_out(reach, 0)).lower()
-            if not least > 0:
-                return None
-            bound = (least ** ball(exponent)).upper()
+        """Return a power, None where the function is not proved to be above 0 on a smaller disk."""
+        radius = self.radius * SHRUNK
+        least, most = self._range(radius)
+        if not (least > 0 and self.terms[0] > 0):
+            return None
+        bound = (least if exponent < 0 else most) ** ball(exponent)
         with terms_kept(self.length):
-            series = arb_series(self.terms.coeffs())
-            terms = series.rsqrt() if exponent == Fraction(-1, 2) else series ** ball(exponent)
-        return Taylor(self.middle, radius, arb_poly(terms.coeffs()), self.length, bound)
+            terms = (arb_series(self.terms) ** ball(exponent)).coeffs()
+        return Taylor(self.middle, radius, arb_poly(terms), self.length, bound.upper())
+
+    def lagging(self, rate: arb, begun: arb | int = 0) -> Taylor:
+        """Return y of which y' = -rate (f + y) of the function f, and that is so much in the middle."""
+        terms = [arb(begun)]
+        for order in range(self.length):
+            terms.append(-rate * (self.terms[order] + terms[-1]) / (order + 1))
+        reach = abs(rate) * ball(self.radius)
+        bound = (reach * self.bound + abs(terms[0])) * reach.exp()
+        return replace(self, terms=arb_poly(terms), length=self.length + 1, bound=bound.upper())
+
+
+@dataclass(frozen=True, eq=False)
+class Quotient:
+    """A function over another one, both about the same place."""
+
+    above: Taylor
+    below: Taylor
+
+    def at(self, place: arb, order: int = 0) -> arb:
+        """Return the quotient, or its slope of an order up to 2, at a place within the disk, a ball."""
+        above, below = (
+            Jet(*(one.at(place, part) if part <= order else 0 for part in range(3)))
+            for one in (self.above, self.below)
+        )
+        found = above / below
+        slope: arb = (found.value, found.slope, found.bend)[order]
+        return slope
+
+    def about(self, middle: Fraction) -> Quotient:
+        """Return the same about another place, on a disk half as wide."""
+        return Quotient(self.above.about(middle), self.below.about(middle))
+
+    def __truediv__(self, other: arb) -> Quotient:
+        return Quotient(self.above, self.below * other)
+
+    def power(self, exponent: Fraction) -> Taylor | None:
+        """Return a power, None where both are not proved to be above 0 on a smaller disk."""
+        above, below = self.above.power(exponent), self.below.power(-exponent)
+        return above * below if above and below else None
 
 
 def bounded(function: Formula, low: Fraction, high: Fraction, radii: int, most: float) -> arb | None:
@@ -272,8 +312,8 @@ def bounded(function: Formula, low: Fraction, high: Fraction, radii: int, most: 
 def expanded(function: Formula, low: Fraction, high: Fraction, radii: int, bound: arb) -> Taylor:
     """Return the series of a function about the middle of low..high, of which such a bound is known."""
     middle = (low + high) / 2
-    # What a term gains after a quotient and a root, and a little beyond both ends.
-    gain = log2(radii * SHRUNK**2 * Fraction(8, 9))
+    # What a term gains after a power, and a little beyond both ends.
+    gain = log2(radii * SHRUNK * Fraction(8, 9))
     count = ceil((flint.ctx.prec + GUARD_BITS + log2(float(bound) + 1)) / gain)
     with terms_kept(count):
         found = function(ComplexNumber(arb_series([ball(middle), 1]), float(middle))).ball
@@ -309,13 +349,6 @@ def _bound(
 
 def _halves(low: Fraction, high: Fraction) -> list[tuple[Fraction, Fraction]]:
     return [(low, (low + high) / 2), ((low + high) / 2, high)]
-
-
-def exponential(beside: Taylor, rate: arb) -> Taylor:
-    """Return e^(rate x), x from the middle of a function on, as far as that is known."""
-    with terms_kept(beside.length):
-        terms = arb_poly(arb_series([0, rate]).exp().coeffs())
-    return replace(beside, terms=terms, bound=(abs(rate) * ball(beside.radius)).exp().upper())
 
 
 @contextmanager

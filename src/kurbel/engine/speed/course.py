@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from functools import partial, reduce
-from itertools import pairwise
+from itertools import pairwise, repeat
+from operator import add, truediv
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import flint
@@ -25,11 +25,9 @@ from kurbel.exact.search import Function, Zero, interval, isolate
 from kurbel.exact.taylor import (
     ComplexNumber,
     Formula,
-    Taylor,
     bounded,
     continued,
     expanded,
-    exponential,
     half_turn_circle,
 )
 from kurbel.kernel.circle import Numeric
@@ -45,7 +43,7 @@ CORNER_BITS, NARROWER = 288, 32
 # middle, and a section so narrow that no formula is analytic there.
 RADII, MOST, NARROWEST = 4, 1e5, Fraction(1, 2**24)
 # Sections are halved until a power of a function is known on a disk about each.
-MOST_HALVINGS = 12
+MOST_HALVINGS = 24
 # By so much of its width a section is searched beyond its ends, where a zero of a slope may lie by a hair.
 BEYOND = Fraction(1, 18)
 
@@ -69,29 +67,32 @@ class Section(NamedTuple):
     high: Fraction
     start: arb
     end: arb
-    function: Taylor
+    # A series or a quotient of two.
+    function: Any
 
     @property
     def slopes(self) -> tuple[Function, Function]:
         """The slope over the half turns, and its own slope."""
         return partial(self.function.at, order=1), partial(self.function.at, order=2)
 
-    def halves(self) -> Iterator[Section]:
-        """Yield both halves, on disks half as wide."""
+    def powers(self, exponent: Fraction, halvings: int = MOST_HALVINGS) -> Iterator[Section]:
+        """Yield a power of what is above 0, of halves where it is not known of the whole."""
+        found = self.function.power(exponent)
+        if found is not None:
+            yield self._replace(function=found)
+            return
+        if not halvings:
+            raise ProblemError(
+                "the speed over the turn is not settled, for the flywheel is light beside what makes it"
+                " swing; give a heavier one"
+            )
         middle = (self.low + self.high) / 2
-        for half in (
-            self._replace(high=middle, end=ball(middle)),
-            self._replace(low=middle, start=ball(middle)),
+        for low, high, ends in (
+            (self.low, middle, (self.start, ball(middle))),
+            (middle, self.high, (ball(middle), self.end)),
         ):
-            about = self.function.about((half.low + half.high) / 2)
-            yield half._replace(function=replace(about, radius=self.function.radius / 2))
-
-
-class Turning(NamedTuple):
-    """Where a function may be least or greatest: within the section about a place."""
-
-    middle: Fraction
-    zero: Zero
+            half = Section(low, high, *ends, self.function.about((low + high) / 2))
+            yield from half.powers(exponent, halvings - 1)
 
 
 class Course:
@@ -104,48 +105,37 @@ class Course:
     @property
     def first(self) -> arb:
         """The function where the first section begins, at the dead centre."""
-        return self.sections[0].function.at(self.sections[0].start)
+        found: arb = self.sections[0].function.at(self.sections[0].start)
+        return found
 
     def at(self, half_turns: Fraction) -> arb:
         """Return the function at a place of any cycle."""
         cycles, rest = divmod(half_turns - self.lows[0], self.cycle)
-        place, index = self.lows[0] + rest, self._index(self.lows[0] + rest)
+        place = self.lows[0] + rest
+        index = bisect_right(self.lows, place) - 1
         own, following = self.sections[index], self.sections[(index + 1) % len(self.sections)]
-        value = own.function.at(ball(place))
+        value: arb = own.function.at(ball(place))
         if place > own.high:
             # In a gap either series may hold.
             turns = int(own is self.sections[-1])
             value = value.union(following.function.at(ball(place - turns * self.cycle)) + turns * self.gain)
         return value + cycles * self.gain
 
-    def around(self, place: Fraction) -> Section:
-        """Return the section of a place within the first cycle, or that before its gap."""
-        return self.sections[self._index(place)]
-
-    def _index(self, place: Fraction) -> int:
-        return bisect_right(self.lows, place) - 1
-
-    def __mul__(self, other: Course | arb) -> Course:
-        """Return the product with a number, or with a course of sections as short or longer."""
-        return self._with(other, Taylor.__mul__)
-
     def __add__(self, other: Course | arb) -> Course:
-        return self._with(other, Taylor.__add__)
+        return self._with(other, add)
 
-    def _with(self, other: Course | arb, combined: Callable[[Taylor, Any], Taylor]) -> Course:
-        if not isinstance(other, Course):
-            return self.mapped(lambda one: combined(one, other))
-        return self.mapped(lambda one: combined(one, other.around(one.middle).function.about(one.middle)))
+    def __truediv__(self, other: Course | arb) -> Course:
+        return self._with(other, truediv)
 
-    def mapped(self, function: Callable[[Taylor], Taylor]) -> Course:
-        """Return a function of the function, section by section."""
-        return Course((one._replace(function=function(one.function)) for one in self.sections), self.cycle)
+    def _with(self, other: Course | arb, combined: Callable[[Any, Any], Any]) -> Course:
+        """Return what both make, of a number or of a course of the same sections."""
+        others = [one.function for one in other.sections] if isinstance(other, Course) else repeat(other)
+        pairs = zip(self.sections, others, strict=False)
+        return Course((one._replace(function=combined(one.function, own)) for one, own in pairs), self.cycle)
 
     def power(self, exponent: Fraction) -> Course:
-        """Return a power below 0 of what is above 0."""
-        return Course(
-            (part for one in self.sections for part in _powers(one, exponent, MOST_HALVINGS)), self.cycle
-        )
+        """Return a power of what is above 0."""
+        return Course((part for one in self.sections for part in one.powers(exponent)), self.cycle)
 
     def sum(self) -> Course:
         """Return the integral from where the first section begins."""
@@ -158,38 +148,37 @@ class Course:
         return Course(found, self.cycle, total)
 
     def lagging(self, rate: arb) -> Course:
-        """Return y of the cycle after which it comes again, where y' = -rate (f + y) of the function f.
-
-        On each section it is (c - rate ∫ f e^(rate θ)) e^(-rate θ).
-        """
-        growing = self.mapped(lambda one: exponential(one, rate))
-        parts = (self * growing).mapped(Taylor.sum) * -rate
-        decaying = self.mapped(lambda one: exponential(one, -rate))
-        begun, found = arb(0), []
-        for part, decay in zip(parts.sections, decaying.sections, strict=True):
-            begun = _ended(part, decay, begun, rate)[1]
+        """Return y of the cycle after which it comes again, where y' = -rate (f + y) of the function f."""
+        begun, middles = arb(0), []
+        for one in self.sections:
+            own = one.function.lagging(rate)
+            before, behind = (rate * (place - ball(own.middle)) for place in (one.start, one.end))
+            middles.append((begun - own.at(one.start)) * before.exp())
+            begun = own.at(one.end) + middles[-1] * (-behind).exp()
+        # So much is still to be there when the cycle begins anew, and decays beside the rest.
         begun /= 1 - (-rate * self.cycle).exp()
-        for part, decay in zip(parts.sections, decaying.sections, strict=True):
-            constant, begun = _ended(part, decay, begun, rate)
-            found.append(part._replace(function=(part.function + constant) * decay.function))
+        found = []
+        for one, middle in zip(self.sections, middles, strict=True):
+            more = begun * (rate * (self.sections[0].start - ball(one.function.middle))).exp()
+            found.append(one._replace(function=one.function.lagging(rate, middle + more)))
         return Course(found, self.cycle)
 
-    def turnings(self) -> Iterator[Turning]:
-        """Yield where the function is least or greatest, of all functions that the balls hold."""
-        for before, one in pairwise((self.sections[-1], *self.sections)):
+    def turnings(self) -> Iterator[tuple[int, Zero]]:
+        """Yield by their sections the zeros of the slope, of all functions that the balls hold."""
+        for index, (before, one) in enumerate(pairwise((self.sections[-1], *self.sections))):
             if before.function.at(before.end, 1) * one.function.at(one.start, 1) < 0:
                 raise ProblemError("the speed turns in a dead centre; its extremes cannot be told apart")
             more = (one.high - one.low) * BEYOND
             for zero in isolate(*one.slopes, one.low - more, one.high + more):
-                yield Turning(one.function.middle, zero)
+                yield index, zero
 
-    def extreme(self, greatest: bool, turnings: Iterable[Turning]) -> tuple[arb, arb]:
+    def extreme(self, greatest: bool, turnings: Iterable[tuple[int, Zero]]) -> tuple[arb, arb]:
         """Return where the function is greatest or least, and what it is there, of these places."""
         sign, found = 1 if greatest else -1, []
-        for one in turnings:
-            if one.zero.rising is not greatest:
-                section = self.around(one.middle)
-                at = one.zero.of(*section.slopes).place()
+        for index, zero in turnings:
+            if zero.rising is not greatest:
+                section = self.sections[index]
+                at = zero.of(*section.slopes).place()
                 if not (at < section.start or at > section.end):
                     found.append((at, section.function.at(at)))
         left = [one for one in found if not any(sign * one[1] < sign * other for _, other in found)]
@@ -203,27 +192,6 @@ class Course:
         start, steps = self.lows[0], range(self.cycle // 2 * SAMPLES)
         values = [float(self.at(start + Fraction(2 * step, SAMPLES))) for step in steps]
         return Samples(values, float(start), self.cycle)
-
-
-def _ended(part: Section, decay: Section, begun: arb, rate: arb) -> tuple[arb, arb]:
-    """Return c of a section at whose start y is such, and y at its end."""
-    away = part.start - ball(part.function.middle)
-    constant = begun * (rate * away).exp() - part.function.at(part.start)
-    return constant, (part.function.at(part.end) + constant) * decay.function.at(part.end)
-
-
-def _powers(one: Section, exponent: Fraction, halvings: int) -> Iterator[Section]:
-    found = one.function.power(exponent)
-    if found is not None:
-        yield one._replace(function=found)
-        return
-    if not halvings:
-        raise ProblemError(
-            "the speed over the turn is not settled, for the flywheel is light beside what makes it swing;"
-            " give a heavier one"
-        )
-    for half in one.halves():
-        yield from _powers(half, exponent, halvings - 1)
 
 
 def energies(turn: Turn, bounds: Bounds) -> tuple[Course, Course]:

@@ -85,8 +85,8 @@ class Run:
     def slowness(self) -> Any:
         """Return v₁/v over a cycle."""
         first = self.method == "weisbach"
-        share = (1 if first else 2) / (self.number * abs(self.turn.mean_force()))
-        relative = self.courses()[0] * share + 1
+        once = self.number * abs(self.turn.mean_force()) / (1 if first else 2)
+        relative = self.courses()[0] / once + 1
         return relative.power(Fraction(-1) if first else Fraction(-1, 2))
 
     def extreme_place(self, greatest: bool) -> Numeric:

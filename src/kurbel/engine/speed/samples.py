@@ -55,8 +55,8 @@ class Samples:
     def __add__(self, other: Samples | float) -> Samples:
         return self._with(other, np.add)
 
-    def __mul__(self, other: Samples | float) -> Samples:
-        return self._with(other, np.multiply)
+    def __truediv__(self, other: Samples | float) -> Samples:
+        return self._with(other, np.divide)
 
     def power(self, exponent: Fraction) -> Samples:
         return self._with(float(exponent), np.power)

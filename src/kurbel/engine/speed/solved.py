@@ -28,13 +28,13 @@ from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine.speed.run import STEP, Run, above, halved
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import at_bits, ball, kept
-from kurbel.exact.search import ISOLATING_BITS, crossing, interval
+from kurbel.exact.certify import ball, kept
+from kurbel.exact.search import crossing, interval
 from kurbel.kernel.circle import root
 
-# How far around its first value the number is looked for, as a share of it, and so many times sixteen times
-# as far.
-NEAR, FARTHER = Fraction(1, 2**20), 4
+# Around its first value the number is looked for so many times as far as this misses the mean speed, and
+# then sixteen times as far; both as shares, the nearest and the farthest.
+MARGIN, NEAREST, FARTHEST = 4, 2.0**-40, 2.0**-4
 # u is below 2, for the mean speed is 1 and no speed is below 0; the lag is not above so many radians.
 MOST, MOST_LAG = 4.0, 1e13
 LEAST_LAG = 0.15
@@ -67,9 +67,8 @@ class Equation(NamedTuple):
         half = self.wheel_energy(number) * factor
         if self.square:
             rate = (pi if isinstance(number, float) else arb.pi()) / number
-            return (self.works + self.works.lagging(rate) + self.mean * number) * (1 / half)
-        energy = (half + self.first) * number
-        return (self.energies + half).power(Fraction(-1)) * (self.works + energy)
+            return (self.works + self.works.lagging(rate) + self.mean * number) / half
+        return (self.works + (half + self.first) * number) / (self.energies + half)
 
     def wheel_energy(self, number: Any) -> Any:
         """Return ½ I."""
@@ -124,13 +123,12 @@ class SolvedRun(Run):
     def check(self) -> None:
         """Know the number nearly. Raises ProblemError for a flywheel that would come to rest."""
         self._solved = kept(self._solution, STEP)
-        with at_bits(ISOLATING_BITS):
-            equation = self._equation()
-            self._guess = self._nearly(equation.in_floats())
-            if isinstance(self.turn, Turn):
-                self._low, self._high = self._isolated(equation, Fraction(self._guess))
-            else:
-                self._turnings = equation.squares(self._guess).turnings()
+        equation = self._equation()
+        self._guess = self._nearly(equation.in_floats())
+        if isinstance(self.turn, Turn):
+            self._low, self._high = self._isolated(equation, Fraction(self._guess))
+        else:
+            self._turnings = equation.squares(self._guess).turnings()
 
     def _equation(self) -> Equation:
         works, energies = self.courses()
@@ -159,25 +157,26 @@ class SolvedRun(Run):
 
     def _isolated(self, equation: Equation, guess: Fraction) -> tuple[Fraction, Fraction]:
         """Return two numbers between which the true one lies, and know the extremes between them."""
-        width = guess * NEAR
-        for _ in range(FARTHER):
+        squares = equation.squares(ball(guess))
+        missed = float(abs(equation.beyond(squares, tuple(squares.turnings()))).upper()) + NEAREST
+        while missed < FARTHEST:
+            width = guess * Fraction(missed) * MARGIN
             ends = guess - width, guess + width
             self._turnings = tuple(equation.squares(interval(*ends)).turnings())
-            below, above = (self._beyond(equation, ball(end)) for end in ends)
+            below, above = (equation.beyond(equation.squares(ball(end)), self._turnings) for end in ends)
             if below < 0 and above > 0:
                 return ends
-            width *= 16
+            missed *= 16
         raise ProblemError("the speed at the dead centre is not settled; give slightly other numbers")
-
-    def _beyond(self, equation: Equation, number: Any) -> Any:
-        return equation.beyond(equation.squares(number), self._turnings)
 
     def _solution(self) -> tuple[Any, Any]:
         """Return the number and the squares of the speed."""
         equation = self._equation()
         number: Any = self._guess
         if isinstance(self.turn, Turn):
-            number = crossing(lambda one: self._beyond(equation, one), self._low, self._high)
+            number = crossing(
+                lambda one: equation.beyond(equation.squares(one), self._turnings), self._low, self._high
+            )
         else:
             number = equation.number(turnings=self._turnings) or number
             self._turnings = equation.squares(number).turnings()
@@ -199,7 +198,7 @@ class SolvedRun(Run):
 
     def slowness(self) -> Any:
         squares = self._squares()
-        return (squares * (1 / squares.first)).power(Fraction(-1, 2))
+        return (squares / squares.first).power(Fraction(-1, 2))
 
     def extreme_place(self, greatest: bool) -> Any:
         return self._squares().extreme(greatest, self._turnings)[0]
