@@ -61,13 +61,13 @@ class Span(NamedTuple):
 
 
 class Section(NamedTuple):
-    """A function where one series has it: for certain from `low` to `high`, and from a ball to another."""
+    """A function where one series, or a quotient of two, has it: for certain from `low` to `high`, and from a
+    ball to another."""
 
     low: Fraction
     high: Fraction
     start: arb
     end: arb
-    # A series or a quotient of two.
     function: Any
 
     @property
@@ -83,8 +83,7 @@ class Section(NamedTuple):
             return
         if not halvings:
             raise ProblemError(
-                "the speed over the turn is not settled, for the flywheel is light beside what makes it"
-                " swing; give a heavier one"
+                "the speed over the turn is not settled, for it all but comes to rest; give a heavier flywheel"
             )
         middle = (self.low + self.high) / 2
         for low, high, ends in (

@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from math import pi
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 from flint import arb
 
@@ -31,16 +31,17 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, kept
 from kurbel.exact.search import crossing, interval
 from kurbel.kernel.circle import root
+from kurbel.kernel.steam import larger
 
 # Around its first value the number is looked for so many times as far as this misses the mean speed, and
 # then sixteen times as far; both as shares, the nearest and the farthest.
-MARGIN, NEAREST, FARTHEST = 4, 2.0**-40, 2.0**-4
+MARGIN, NEAREST, FARTHEST = 4, 2.0**-40, 2.0**-6
 # u is below 2, for the mean speed is 1 and no speed is below 0; the lag is not above so many radians.
 MOST, MOST_LAG = 4.0, 1e13
 LEAST_LAG = 0.15
 HALVINGS = 90
-# The mean speed is hit so nearly, or none of the run is.
-MOST_MISSED = 1e-6
+# By no more samples miss the square of the least speed.
+MOST_MISSED = 1e-3
 # Floats know where they are greatest to half of their digits, in half turns.
 FLAT = 1e-7
 
@@ -77,25 +78,27 @@ class Equation(NamedTuple):
 
     def beyond(self, squares: Any, turnings: Sequence[Any] = ()) -> Any:
         """Return what is zero at the true number and rises with it: the mean speed above 1 or, against the
-        square of the speed, that at the dead centre of a flywheel known by its number."""
+        square of the speed, that at the dead centre of a flywheel known by its number. Where it would come
+        to rest the speed is 0."""
         if self.square and self.wheel.number is not None:
-            return root(squares.first) - 1
-        return sum(root(squares.extreme(greatest, turnings)[1]) for greatest in (True, False)) / 2 - 1
+            return root(larger(squares.first, 0)) - 1
+        ends = (squares.extreme(greatest, turnings)[1] for greatest in (True, False))
+        return sum(root(larger(one, 0)) for one in ends) / 2 - 1
 
     def in_floats(self) -> Equation:
         """Return the same on samples, nearly."""
         half, first, mean = map(float, (self.half, self.first, self.mean))
         return Equation(self.works.in_floats(), self.energies.in_floats(), half, first, mean, self.wheel)
 
-    def number(self, factor: float = 1.0, turnings: Sequence[Any] = ()) -> float | None:
-        """Return the number by samples, of a flywheel so many times as heavy, None where it comes to rest."""
+    def number(self, factor: float = 1.0, turnings: Sequence[Any] = ()) -> float:
+        """Return the number by samples, of a flywheel so many times as heavy."""
+        return halved(
+            0.0, self.most, lambda one: self.beyond(self.squares(one, factor), turnings) < 0, HALVINGS
+        )
 
-        def beyond(number: float) -> float:
-            squares = self.squares(number, factor)
-            return -1.0 if _rests(squares, turnings) else float(self.beyond(squares, turnings))
-
-        found = halved(0.0, self.most, lambda number: beyond(number) < 0, HALVINGS)
-        return found if abs(beyond(found)) < MOST_MISSED else None
+    def rests(self, factor: float = 1.0, margin: float = 0.0) -> bool:
+        """Whether by samples the square of a speed of such a flywheel is so far below 0."""
+        return bool(self.squares(self.number(factor), factor).extreme(greatest=False)[1] < -margin)
 
     @property
     def most(self) -> float:
@@ -106,15 +109,10 @@ class Equation(NamedTuple):
         """Return how many times as heavy a flywheel must be that comes to rest."""
         low, high = 1.0, 2.0
         for _ in range(HALVINGS):
-            if self.number(high) is not None:
-                return halved(low, high, lambda factor: self.number(factor) is None, HALVINGS // 4)
+            if not self.rests(high):
+                return halved(low, high, self.rests, HALVINGS // 4)
             low, high = high, 2 * high
         raise ProblemError("the speed over the turn is not settled; give slightly other numbers")
-
-
-def _rests(squares: Any, turnings: Sequence[Any] = ()) -> bool:
-    """Whether a speed is below 0, in floats."""
-    return bool(squares.extreme(False, turnings)[1] < 0)
 
 
 class SolvedRun(Run):
@@ -124,11 +122,31 @@ class SolvedRun(Run):
         """Know the number nearly. Raises ProblemError for a flywheel that would come to rest."""
         self._solved = kept(self._solution, STEP)
         equation = self._equation()
-        self._guess = self._nearly(equation.in_floats())
+        floats = equation.in_floats()
+        self._guess = floats.number()
+        given = float(known(self.wheel.inertia if self.wheel.number is None else self.wheel.number))
+        if floats.rests(margin=MOST_MISSED):
+            self._refuse_rest(floats, given)
+        if equation.square and self._guess < LEAST_LAG:
+            factor = (1 + floats.beyond(floats.squares(LEAST_LAG))) ** 2
+            raise ProblemError(
+                f"{self.wheel.named} is too light: the speed follows the torque at every angle, as if there"
+                f" were none; {self.wheel.letter} must be above {above(given * factor)}"
+                f"{self.wheel.unit}"
+            )
         if isinstance(self.turn, Turn):
             self._low, self._high = self._isolated(equation, Fraction(self._guess))
         else:
             self._turnings = equation.squares(self._guess).turnings()
+        if not self._squares().extreme(False, self._turnings)[1] > 0:
+            self._refuse_rest(floats, given)
+
+    def _refuse_rest(self, floats: Equation, given: float) -> NoReturn:
+        # Where the speed is just nowhere below 0.
+        last = halved(
+            0.0, floats.most, lambda one: floats.squares(one).extreme(greatest=False)[1] < 0, HALVINGS
+        )
+        self.refuse(180 * floats.squares(last).extreme(False)[0], given * floats.least_factor())
 
     def _equation(self) -> Equation:
         works, energies = self.courses()
@@ -137,23 +155,6 @@ class SolvedRun(Run):
         return Equation(
             works, energies, weight * mean / 2, self.turn.kinetic_energy_begun(), mean, self.wheel
         )
-
-    def _nearly(self, equation: Equation) -> float:
-        given = float(known(self.wheel.inertia if self.wheel.number is None else self.wheel.number))
-        number = equation.number()
-        if number is None:
-            # Where the speed is just nowhere below 0.
-            last = halved(0.0, equation.most, lambda one: _rests(equation.squares(one)), HALVINGS)
-            place, _ = equation.squares(last).extreme(greatest=False)
-            self.refuse(180 * place, given * equation.least_factor())
-        if equation.square and number < LEAST_LAG:
-            factor = (1 + equation.beyond(equation.squares(LEAST_LAG))) ** 2
-            raise ProblemError(
-                f"{self.wheel.named} is too light: the speed follows the torque at every angle, as if there"
-                f" were none; {self.wheel.letter} must be above {above(given * factor)}"
-                f"{self.wheel.unit}"
-            )
-        return number
 
     def _isolated(self, equation: Equation, guess: Fraction) -> tuple[Fraction, Fraction]:
         """Return two numbers between which the true one lies, and know the extremes between them."""
@@ -178,7 +179,7 @@ class SolvedRun(Run):
                 lambda one: equation.beyond(equation.squares(one), self._turnings), self._low, self._high
             )
         else:
-            number = equation.number(turnings=self._turnings) or number
+            number = equation.number(turnings=self._turnings)
             self._turnings = equation.squares(number).turnings()
         return number, equation.squares(number)
 
