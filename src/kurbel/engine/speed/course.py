@@ -83,7 +83,7 @@ class Section(NamedTuple):
             return
         if not halvings:
             raise ProblemError(
-                "the speed over the turn is not settled, for it all but comes to rest; give a heavier flywheel"
+                "the speed is not settled, for it all but comes to rest; give a heavier flywheel"
             )
         middle = (self.low + self.high) / 2
         for low, high, ends in (
