@@ -174,10 +174,6 @@ class ArcDrive(LinkageDrive):
         super().__init__(crank, page)
         self.centre = self._centre()
 
-    @property
-    def is_straight(self) -> bool:
-        return False
-
     def _centre(self) -> Centre:
         with at_bits(FLOAT_BITS):
             ends = [float(place().mid()) for stroke in STROKES for place in self.dead_angles(stroke)]

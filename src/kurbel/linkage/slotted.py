@@ -319,10 +319,6 @@ def _forces() -> Iterator[Quantity]:
 class SlottedDrive(LinkageDrive):
     """The slotted lever as conditions see it; where quantities rise and fall is proved by balls."""
 
-    @property
-    def is_straight(self) -> bool:
-        return False
-
     def is_free(self, quantity: Quantity) -> bool:
         return False
 

@@ -17,6 +17,7 @@ import flint
 from flint import arb
 
 from kurbel.drive.crank import Crank
+from kurbel.drive.moved import DeadCentres
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, half_turn_circle, pi, rounded
 from kurbel.exact.course import Course
@@ -88,8 +89,8 @@ class Drive(ABC):
 
     @property
     def is_straight(self) -> bool:
-        """Whether both dead centres lie on the slide direction."""
-        return True
+        """Whether both dead centres lie on the slide direction, for the drive says nothing else."""
+        return bool(type(self.drive).dead_angle is DeadCentres.dead_angle)
 
     @property
     def stroke(self) -> Label:
