@@ -324,10 +324,13 @@ def _contradiction(option: str, relation: Relation, needed: Term, off: float, du
     """Return the sentence for a relation that does not hold, by so many times what is needed."""
     what = _SAID.get(option, f"a {option[2:].replace('-', ' ')}")
     value = float(needed.known) / float(relation.size)
-    # Of steam, whose ideal card makes more.
-    ideal = duty.pressure is not None and duty.pressure_option == "--pressure" and duty.diagram_factor == 1
-    unknown = "take --unknown diagram_factor" if ideal and off > 1 else "ask for another by --unknown"
-    option = "--brake-power" if option == "--power" and duty.brake_power is not None else option
+    unknown = "ask for another by --unknown"
+    if option == "--power":
+        # Of steam, whose ideal card makes more.
+        ideal = duty.pressure is not None and duty.pressure_option == "--pressure"
+        if off > 1 and ideal and duty.diagram_factor == 1:
+            unknown = "take --unknown diagram_factor"
+        option = option if duty.brake_power is None else "--brake-power"
     return (
         f"what is given makes {what} of {value * off:.5g}{relation.unit}, and {option} asks for"
         f" {value:.5g}{relation.unit}; leave one of them out, or {unknown}"
