@@ -430,10 +430,6 @@ class Results(NamedTuple):
         own = self.pressure() * self.shared(high)
         return own / self.filled() if high else own
 
-    def worked_in(self, high: bool) -> Term:
-        """Return the power in W of such a cylinder."""
-        return self.of(POWER) * self.shared(high)
-
     def sought(self) -> Term:
         """Return the number of the load that was asked for."""
         return Term(Product.about(known(self.acting.sought).number))

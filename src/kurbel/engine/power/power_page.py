@@ -301,7 +301,14 @@ def notes(request: PowerRequest) -> Iterator[Label]:
         yield _steam_taken(source, duty, lang)
     if source.name == COMPRESSOR:
         yield from _air_lines(source, duty, shown, lang)
-    lines = [*(_steam_lines(source, lang) if source.steamed else _lines(request, lang))]
+    if source.steamed:
+        lines = [*_steam_lines(source, lang)]
+    elif source.carded:
+        lines = [POWER_TEXTS["card"][lang]]
+    else:
+        lines = [*request.words.lines(request.steams, request.first, lang)]
+    if request.words.halved:
+        lines.append(OF_STEAM["double" if request.first.double else "single"][lang])
     if source.steamed and duty.diagram_factor == 1 and not duty.factor_asked:
         lines.append(POWER_TEXTS["ideal"][lang])
     yield "; ".join(lines)
@@ -388,17 +395,6 @@ def _steam_lines(source: ActingPressure, lang: str) -> Iterator[Label]:
     else:
         yield POWER_TEXTS["back"][lang].format(back=figure(steam.back))
     yield from valve_lines(steam, lang)
-    yield OF_STEAM["double" if source.engine.double else "single"][lang]
-
-
-def _lines(request: PowerRequest, lang: str) -> Iterator[Label]:
-    source = request.sources[0]
-    if source.carded:
-        yield POWER_TEXTS["card"][lang]
-    else:
-        yield from request.words.lines(request.steams, request.first, lang)
-    if request.words.halved:
-        yield OF_STEAM["double" if request.first.double else "single"][lang]
 
 
 SUBJECT = Subject(

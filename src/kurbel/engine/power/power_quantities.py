@@ -186,14 +186,14 @@ _ROWS: tuple[tuple[str, str, str, str, str | Kernel, *tuple[Need, ...]], ...] = 
      "mittlerer Druck des Hochdruckzylinders|Mean pressure of the high-pressure cylinder", '$p_"ih"$', "bar",
      lambda found: found.pressed(True), Needs.COMPOUND),
     ("high_power", "Leistung des Hochdruckzylinders|Power of the high-pressure cylinder", "$N_h$", "kW",
-     lambda found: found.worked_in(True), Needs.COMPOUND),
+     lambda found: found.of(POWER) * found.shared(True), Needs.COMPOUND),
     ("low_share", "Arbeitsanteil des Niederdruckzylinders|Share of the low-pressure cylinder in the work",
      "$A_n$", "", lambda found: found.shared(False), Needs.COMPOUND),
     ("low_mean_pressure",
      "mittlerer Druck des Niederdruckzylinders|Mean pressure of the low-pressure cylinder", '$p_"in"$', "bar",
      lambda found: found.pressed(False), Needs.COMPOUND),
     ("low_power", "Leistung des Niederdruckzylinders|Power of the low-pressure cylinder", "$N_n$", "kW",
-     lambda found: found.worked_in(False), Needs.COMPOUND),
+     lambda found: found.of(POWER) * found.shared(False), Needs.COMPOUND),
 )  # fmt: skip
 
 
