@@ -25,13 +25,11 @@ POWER, BORE, STROKE, SPEED, PRESSURE, FACTOR, EFFICIENCY, CONSUMED, HEAT, THERMA
 )
 # What the power is made of.
 MADE = VARIABLES[:6]
-# Their units on pages, in watts, metres, turns a second and pascals.
-UNITS = {
-    POWER: Fraction(1000),
-    BORE: Fraction(1, 1000),
-    STROKE: Fraction(1, 1000),
-    SPEED: Fraction(1, 60),
-    PRESSURE: Fraction(10**5),
+# What units of pages, in which they are no SI units, are of those.
+SIZES = {
+    **{"bar": Fraction(10**5), "kW": Fraction(1000), "mm": Fraction(1, 1000), "l": Fraction(1, 1000)},
+    **{"kg/h": Fraction(1, 3600), "kg/min": Fraction(1, 60), "m³/min": Fraction(1, 60)},
+    **{'$"min"^(-1)$': Fraction(1, 60), "kg/kWh": Fraction(1, 3600 * 1000), "kJ/kg": Fraction(1000)},
 }
 MOST_CYLINDERS = 24
 # Of air, in J/(kg K), as most textbooks have it.
@@ -224,7 +222,6 @@ class Relation(NamedTuple):
     made: Term
     given: Term | Fraction | None
     told: str
-    size: Fraction = Fraction(1)
     unit: str = ""
 
     def needed(self) -> Term:
@@ -242,22 +239,22 @@ def relations(of: Results) -> Mapping[str, Relation]:
     delivery, consumed = duty.delivery if acting else None, duty.consumption
     found = {
         "--stroke-bore": Relation(of.of(STROKE) / of.of(BORE), duty.stroke_bore, STROKE),
-        "--piston-speed": Relation(of.piston_speed(), duty.piston_speed, SPEED, unit=" m/s"),
-        "--swept-volume": Relation(of.swept(), duty.swept_volume, BORE, Fraction(1, 1000), " l"),
+        "--piston-speed": Relation(of.piston_speed(), duty.piston_speed, SPEED, "m/s"),
+        "--swept-volume": Relation(of.swept(), duty.swept_volume, BORE, "l"),
     }
     if acting:
-        found["--mean-pressure"] = Relation(of.pressure(), duty._of_ends(), FACTOR, UNITS[PRESSURE], " bar")
+        found["--mean-pressure"] = Relation(of.pressure(), duty._of_ends(), FACTOR, "bar")
     if isinstance(delivery, MassFlow):
         air = of.delivery() * duty.mass_of_air()
-        found["--delivery"] = Relation(air, delivery.mass, BORE, Fraction(1, 60), " kg/min")
+        found["--delivery"] = Relation(air, delivery.mass, BORE, "kg/min")
     elif delivery is not None:
         free = of.delivery() * duty.freed()
-        found["--delivery"] = Relation(free, delivery, BORE, Fraction(1, 60), " m³/min")
+        found["--delivery"] = Relation(free, delivery, BORE, "m³/min")
     whole, brake = of.pressure() * of.swept() * of.rate(), of.of(POWER) * of.brake()
     braked = None if duty._brake_tells else duty.brake_power
-    found["--power"] = Relation(whole, of.of(POWER), POWER, UNITS[POWER], " kW")
-    found["--brake-power"] = Relation(brake, braked, POWER, UNITS[POWER], " kW")
-    found["--brake-torque"] = Relation(of.torque(), duty.brake_torque, SPEED, unit=" N m")
+    found["--power"] = Relation(whole, of.of(POWER), POWER, "kW")
+    found["--brake-power"] = Relation(brake, braked, POWER, "kW")
+    found["--brake-torque"] = Relation(of.torque(), duty.brake_torque, SPEED, "N m")
     if consumed is not None and consumed.of_work:
         found["--consumption"] = Relation(of.worked() * number(consumed.mass), of.of(CONSUMED), CONSUMED)
     if len(duty.burnt) > 1:
@@ -323,7 +320,7 @@ _SAID = {"--power": "an indicated power", "--stroke-bore": "a stroke over bore"}
 def _contradiction(option: str, relation: Relation, needed: Term, off: float, duty: Duty) -> str:
     """Return the sentence for a relation that does not hold, by so many times what is needed."""
     what = _SAID.get(option, f"a {option[2:].replace('-', ' ')}")
-    value = float(needed.known) / float(relation.size)
+    value, unit = float(needed.known) / float(SIZES.get(relation.unit, 1)), f" {relation.unit}".rstrip()
     unknown = "ask for another by --unknown"
     if option == "--power":
         # Of steam, whose ideal card makes more.
@@ -332,8 +329,8 @@ def _contradiction(option: str, relation: Relation, needed: Term, off: float, du
             unknown = "take --unknown diagram_factor"
         option = option if duty.brake_power is None else "--brake-power"
     return (
-        f"what is given makes {what} of {value * off:.5g}{relation.unit}, and {option} asks for"
-        f" {value:.5g}{relation.unit}; leave one of them out, or {unknown}"
+        f"what is given makes {what} of {value * off:.5g}{unit}, and {option} asks for"
+        f" {value:.5g}{unit}; leave one of them out, or {unknown}"
     )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 from functools import cache, partial
 from typing import Any, TypeAlias
 
@@ -17,6 +16,7 @@ from kurbel.engine.power.duty import (
     HEAT,
     POWER,
     PRESSURE,
+    SIZES,
     SPEED,
     STROKE,
     THERMAL,
@@ -69,12 +69,6 @@ class Needs:
     ASKED = _of_duty(lambda duty: duty.factor_asked, "--unknown diagram_factor")
 
 
-# Of what is no unit of the SI.
-_SIZES = {
-    **{"bar": Fraction(10**5), "kW": Fraction(1000), "mm": Fraction(1, 1000), "l": Fraction(1, 1000)},
-    **{"kg/h": Fraction(1, 3600), "kg/min": Fraction(1, 60), "m³/min": Fraction(1, 60)},
-    **{'$"min"^(-1)$': Fraction(1, 60), "kg/kWh": Fraction(1, 3600 * 1000), "kJ/kg": Fraction(1000)},
-}
 Kernel: TypeAlias = Callable[[Results], Term]
 # Key, name, symbol, unit, the variable that it is or what makes it of what is found, and what it needs.
 _ROWS: tuple[tuple[str, str, str, str, str | Kernel, *tuple[Need, ...]], ...] = (
@@ -205,7 +199,7 @@ def registry() -> Mapping[str, Quantity]:
 
 def _entry(key: str, name: str, symbol: str, unit: str, kernel: str | Kernel, *needs: Need) -> Quantity:
     value = partial(_variable, kernel) if isinstance(kernel, str) else kernel
-    formula = Formula(lambda found: value(found) / number(_SIZES.get(unit, 1)))
+    formula = Formula(lambda found: value(found) / number(SIZES.get(unit, 1)))
     own = entry(key, name, symbol, unit, None, {"exact": formula}, needs=needs)
     return own._replace(heading=with_symbol(own), spanners=(own.name,))
 
