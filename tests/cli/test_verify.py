@@ -40,7 +40,7 @@ PAGES = {
      " --piston-rod 50mm --slope vertical --angle 0;40;180 --columns phi,crosshead_load_n,bearing_force_n": 6,
     f"forces --eps 4 {MASSES} --rod-mass 50kg --clearance 8% --release 92% --cushion 80% --lead 1%"
     " --piston-rod 9cm --tail-rod 4cm --centre 0.6 --gyration 30% --step 90": 5 * 9,
-    "forces --pressure-ratio 4 --step 120": 4 * 5,
+    "forces --compression 6 --heat 10 --layout rod-load --columns thrust,thrust_angle,reversal_unbroken": 9,
     "turning --eps 3 --back 0.1 --exponent 1.2 --clearance 5% --cranks 0;90 --step 120": 4 * 4,
     f"turning --eps 4 {MASSES} --rod-mass 50kg --centre 0.6 --gyration 0.3 --slope 20 --method series"
     " --angle 100": 4,

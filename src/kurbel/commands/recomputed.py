@@ -28,6 +28,7 @@ from kurbel.verify.loads import Piece, Stroke, disc
 from kurbel.verify.numbers import degrees_of, largest, pi, sine_cosine
 from kurbel.verify.numbers import number as exactly
 from kurbel.verify.plane import Arrow
+from kurbel.verify.reversal import PULL, THRUST, RodLoad
 from kurbel.verify.turn import Running, star
 from kurbel.verify.zeros import FoundAngle, Place, around, between, root
 
@@ -44,7 +45,7 @@ FARTHEST = 10**12
 def of_drive(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Motion and forces at a crank angle, over the path, or where the rod is square to the crank."""
     if "end" in row:
-        raise ProblemError("greatest loads of a rod over the turn are not computed a second time")
+        return _of_rod_load(second, key, method, row)
     if "share" not in row and "at" not in second.options:
         return at_angle(second, key, method, second.place(row), row)
     drive = second.pushed(row)
@@ -110,7 +111,7 @@ def of_engine(second: SecondComputation, key: str, method: str, at: Degrees, row
     bore, pressure = second.unit()
 
     def push(place: Place) -> Number:
-        found = turn.known.crank.push(place)
+        found: Number = turn.known.crank.push(place).value
         return found if pressure is None else found * disc(bore) * pressure
 
     there = weighed(second, turn.drive, push, method, row)
@@ -120,6 +121,43 @@ def of_engine(second: SecondComputation, key: str, method: str, at: Degrees, row
     if pressure is None:
         return newtons
     return Value(lambda: newtons.recipe() / (disc(bore) * pressure))
+
+
+def _of_rod_load(second: SecondComputation, key: str, method: str, row: Row) -> Value:
+    """The greatest loads along the rod at one of its ends, where they are, and its reversal."""
+    turn, end, (bore, pressure) = second.turn(method, row, alone=True), _ENDS[row["end"]], second.unit()
+
+    def unit() -> Number:
+        return exactly(1) if pressure is None else disc(bore) * pressure
+
+    def found() -> RodLoad:
+        crank, area = turn.known.crank, unit()
+
+        def load(of: Place, at: Place, order: int) -> Jet:
+            pushed = replace(still, force=lambda place: crank.push(place, 2, of) * area)
+            return pushed.course(end, at, 1, order)
+
+        still = weighed(second, turn.drive, Fraction(0), method, row)
+        return RodLoad(crank, load)
+
+    def load() -> RodLoad:
+        known: RodLoad = second.once(row, found, method, end)
+        return known
+
+    sign = PULL if "pull" in key else THRUST
+    known: Mapping[str, Callable[[], Number]] = {
+        "n": lambda: load().size(sign),
+        "angle": lambda: load().over(sign),
+        "thrust": lambda: load().size(sign) / unit(),
+        "phi_thrust": lambda: where(load().greatest(sign)),
+        "reversal_angle": lambda: load().least(load().over),
+        "reversal_unbroken": lambda: load().least(load().unbroken),
+        "reversal_share": lambda: (
+            load().least(load().size) * 100 / largest([load().size(1), load().size(-1)])
+        ),
+    }
+    stem = key.replace("pull", "thrust").removeprefix("thrust_")
+    return Value(known[stem])
 
 
 def _square(drive: verify.Drive, at: Place) -> Number:
@@ -425,6 +463,7 @@ _WAVE: Mapping[str, Callable[[Arrow], Number]] = {
     "phase": lambda wave: degrees_of(wave.x, -wave.y),
     "phase_rad": lambda wave: degrees_of(wave.x, -wave.y) * pi() / 180,
 }
+_ENDS = {"slide": "crosshead_load", "crosshead": "rod_force", "crank": "pin_rod_force"}
 _OF_ROD = {
     "guide": "guide_force", "pin": "crank_pin_force", "pin_x": "pin_x", "pin_y": "pin_y", "torque": "torque",
     "resultant": "rod_inertia", "arm": "rod_arm",

@@ -277,6 +277,7 @@ _FORCES: dict[str, Callable[[At], Jet | Number]] = {
     "crosshead_load": lambda at: at.forces[1].dot(at.way),
     "guide_force": lambda at: at.forces[2].dot(at.way.right()),
     "rod_force": lambda at: at.forces[1].dot(at.line) * at.stroke,
+    "pin_rod_force": lambda at: -at.forces[0].dot(at.line) * at.stroke,
     "crosshead_pin_force": lambda at: at.forces[1].size(),
     "crank_pin_force": lambda at: at.forces[0].size(),
     "pin_x": lambda at: at.forces[0].x,

@@ -66,25 +66,36 @@ class Crank:
     def share(self, pin: Arrow, sense: int) -> Number:
         return self.moved(pin, sense).value / self.size
 
+    def _pressed(
+        self, at: Place, moved: Jet, stroke: Stroke, sense: int, order: int, near: Number | None = None
+    ) -> Jet:
+        """F of the share of a stroke that is gone, with as many slopes."""
+        share = moved * (1 / self.size)
+        if at.reach:
+            middle = self.share(self.pin(Place(at.degrees), 0), sense)
+            share = Jet([middle + share.terms[1] * at.arc, *share.terms[1:]])
+        return stroke.course(Jet(share.terms[: order + 1]), near)
+
     def course(self, at: Place, order: int, true: bool = False) -> Jet:
-        """T at its own angle with as many slopes: F of the share of the stroke, times dx/dφ; `true` with the
-        rod's true angle on the path by first order."""
+        """T at its own angle with as many slopes: F times dx/dφ; `true` with the rod's true angle on the path
+        by first order."""
         pin, found = self.pin(at, order + 1), []
         for stroke, sense, _ in self.on(at):
             moved = self.moved(pin, sense)
-            share, way = moved * (1 / self.size), moved.derived()
-            if at.reach:
-                middle = self.share(self.pin(Place(at.degrees), 0), sense)
-                share = Jet([middle + share.terms[1] * at.arc, *share.terms[1:]])
+            way = moved.derived()
             if true and self.flat and self.drive.ratio:
                 way = self.drive.driven(pin).x.derived() * -sense
-            found.append(stroke.course(Jet(share.terms[: order + 1])) * way)
+            found.append(self._pressed(at, moved, stroke, sense, order) * way)
         return hulled(found)
 
-    def push(self, at: Place) -> Number:
-        """The force on the piston towards the shaft, at its own angle."""
-        pin = self.pin(at)
-        return hull([stroke.force(self.share(pin, sense)) * sense for stroke, sense, _ in self.on(at)])
+    def push(self, at: Place, order: int = 0, of: Place | None = None) -> Jet:
+        """The force on the piston towards the shaft, at its own angle; of the stroke and of the piece of each
+        pressure at another angle, if that is given."""
+        pin, found = self.pin(at, order + 1), []
+        for stroke, sense, _ in self.on(of or at):
+            near = self.share(self.pin(of, 0), sense) if of else None
+            found.append(self._pressed(at, self.moved(pin, sense), stroke, sense, order, near) * sense)
+        return hulled(found)
 
     def work(self, at: Place, dead: bool = False) -> Number:
         """The work since its inner dead centre of the first cycle."""

@@ -57,10 +57,11 @@ class Summit(NamedTuple):
     value: Number
 
 
-def summits(function: Smooth, low: Fraction, high: Fraction) -> list[Summit]:
-    """Return all places between two angles at which a function may be greatest, in order."""
+def summits(function: Smooth, low: Fraction, high: Fraction, reached: Fraction = -WIDEST) -> list[Summit]:
+    """Return all places between two angles at which a function may be greatest, in order; none where it is
+    below what is reached elsewhere."""
     cells, done = Place((low + high) / 2, (high - low) / 2).parts(CELLS), list[tuple[Fraction, Place, Jet]]()
-    reached, tried = -WIDEST, 0
+    tried = 0
     while cells and tried < MOST:
         bounds, tried = list[tuple[Fraction, Place, Jet]](), tried + len(cells)
         for cell in cells:
@@ -83,7 +84,12 @@ def summits(function: Smooth, low: Fraction, high: Fraction) -> list[Summit]:
     found = [
         one for bound, cell, over in done if bound >= reached for one in _of(function, cell, over, low, high)
     ]
-    best = max(value.low for _, value in found)
+    return best_of(found)
+
+
+def best_of(found: Sequence[Summit]) -> list[Summit]:
+    """Those that may be the greatest, in order."""
+    best = max((value.low for _, value in found), default=-WIDEST)
     return sorted((one for one in found if one.value.high >= best), key=lambda one: float(one.angle))
 
 

@@ -78,8 +78,10 @@ class Pressure:
     def value(self, share: Number) -> Number:
         return self.course(Jet([share])).value
 
-    def course(self, share: Jet) -> Jet:
-        """The pressure with its slopes by what the share has slopes by."""
+    def course(self, share: Jet, near: Number | None = None) -> Jet:
+        """The pressure with its slopes by what the share has slopes by; of the piece alone that is `near`."""
+        if near is not None:
+            return hulled([self.pieces[k][1].value(share) for k, _ in self._touched(near)])
         touched = self._touched(share.value)
         return hulled([self.pieces[k][1].value(Jet([at, *share.terms[1:]])) for k, at in touched])
 
@@ -122,9 +124,9 @@ class Stroke:
     def slope(self, share: Number) -> Number:
         return self.course(Jet([share, number(1)])).slope()
 
-    def course(self, share: Jet) -> Jet:
+    def course(self, share: Jet, near: Number | None = None) -> Jet:
         """The force with its slopes by what the share has slopes by."""
-        return sum((pressure.course(share) * area for area, pressure in self.sides), share * 0)
+        return sum((pressure.course(share, near) * area for area, pressure in self.sides), share * 0)
 
     def work(self, share: Number) -> Number:
         """∫ of the force from the beginning of the stroke to a share."""

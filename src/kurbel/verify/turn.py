@@ -26,7 +26,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial, reduce
-from typing import NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.verify.bodies import Bodies, energies
@@ -40,19 +39,11 @@ from kurbel.verify.numbers import Number, Undecided, largest, number, pi, sine_c
 from kurbel.verify.places import OUT
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
-from kurbel.verify.zeros import TOO_WIDE, Place, around, between
+from kurbel.verify.zeros import Crossing, Place, around, between, told_apart
 
-# Where cells begin, away from what machines are given by, cells of a turn, and the least half of one, in
-# degrees.
-START, COUNT, LEAST = Fraction(-13, 89), 48, Fraction(1, 2**40)
+# Where cells begin, away from what machines are given by, and cells of a turn.
+START, COUNT = Fraction(-13, 89), 48
 ZERO = Fraction(0)
-
-
-class SpeedExtreme(NamedTuple):
-    """A cell in which T meets P exactly once; the speed is least where T rises."""
-
-    cell: Place
-    rising: bool
 
 
 @dataclass(frozen=True)
@@ -83,7 +74,7 @@ class Turn:
         kept = [one for one in self.meetings if rising in (None, one.rising)]
         return [Value(partial(self._angle, one)) for one in kept]
 
-    def _angle(self, one: SpeedExtreme) -> Number:
+    def _angle(self, one: Crossing) -> Number:
         return self.known.narrowed(one)[0]
 
     @property
@@ -93,7 +84,7 @@ class Turn:
         return Known(self)
 
     @cached_property
-    def meetings(self) -> list[SpeedExtreme]:
+    def meetings(self) -> list[Crossing]:
         return sorted(Value(lambda: number(0)).decided(lambda _: list(self.known.told_apart())))
 
 
@@ -170,29 +161,15 @@ class Known:
 
     # Where the speed is least and greatest.
 
-    def told_apart(self) -> Iterator[SpeedExtreme]:
-        """All places of a period at which T meets P, each in a cell of its own."""
+    def told_apart(self) -> Iterator[Crossing]:
+        """All places of a period at which T meets P, each in a cell of its own; the speed is least where T
+        rises."""
         half = self.period / 2
         cells = Place(START + half, half).parts(int(max(self.period * COUNT // 360, 1)))
-        while cells:
-            cell = cells.pop()
-            try:
-                slope = self.force(cell, 1)
-                if ZERO not in self.excess(Place(cell.degrees)) + slope * cell.arc:
-                    continue
-                if ZERO not in slope:
-                    before, after = (self.excess(Place(end)).sign() for end in cell.ends)
-                    if before != after:
-                        yield SpeedExtreme(cell, after > 0)
-                    continue
-            except TOO_WIDE:
-                pass
-            if cell.reach < LEAST:
-                raise Undecided("a place at which the speed is stationary")
-            cells += cell.parts()
+        return told_apart(lambda at, more: self.force(at, 1) if more else self.excess(at), cells)
 
     @by_bits
-    def narrowed(self, one: SpeedExtreme) -> tuple[Number, Number]:
+    def narrowed(self, one: Crossing) -> tuple[Number, Number]:
         """The angle of a place from the slide direction, and the energy there."""
         at = between(self.excess, *one.cell.ends)
         if self.turn.method == "weisbach" and not one.rising:
@@ -305,7 +282,7 @@ _AT: dict[str, Callable[[Known, Place], Number]] = {
     # The work over the angle: by first order T is that of the true rod.
     "power": lambda known, at: known.force(at),
     # Of the first crank, towards the shaft.
-    "piston_force": lambda known, at: known.crank.push(at),
+    "piston_force": lambda known, at: known.crank.push(at).value,
     "tangential": lambda known, at: known.force(at, true=True),
     "tangential_excess": lambda known, at: known.force(at, true=True) - known.mean,
     "energy": lambda known, at: known.energy(at),

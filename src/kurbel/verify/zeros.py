@@ -6,7 +6,7 @@ other, a zero lies between. Nothing else of the function is needed, neither slop
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from fractions import Fraction
 from functools import cache
@@ -22,6 +22,8 @@ TOO_WIDE = (Undecided, ZeroDivisionError, OverflowError, ValueError)
 NEAREST, FARTHEST = Fraction(1, 2048), Fraction(2)
 # A zero with a denominator up to this may be exact.
 SIMPLE = 720
+# Cells in which zeros are told apart are no less, in degrees.
+LEAST = Fraction(1, 2**40)
 
 
 class Place(NamedTuple):
@@ -112,6 +114,36 @@ def _nearest(function: Function, near: Fraction) -> Place:
             return between(function, low, high)
         reach *= 16
     raise Undecided("no change of sign at the angle that is printed")
+
+
+class Crossing(NamedTuple):
+    """A cell in which a function is zero exactly once."""
+
+    cell: Place
+    rising: bool
+
+
+def told_apart(function: Callable[[Place, int], Number], cells: list[Place]) -> Iterator[Crossing]:
+    """All zeros in cells of a function, 0, by its slope over a cell, 1: about the middle m it lies in
+    f(m) + f'(X)(X - m). A cell is halved until that excludes zero, or f' has one sign there and the ends
+    tell."""
+    zero = Fraction(0)
+    while cells:
+        cell = cells.pop()
+        try:
+            slope = function(cell, 1)
+            if zero not in function(Place(cell.degrees), 0) + slope * cell.arc:
+                continue
+            if zero not in slope:
+                before, after = (function(Place(end), 0).sign() for end in cell.ends)
+                if before != after:
+                    yield Crossing(cell, after > 0)
+                continue
+        except TOO_WIDE:
+            pass
+        if cell.reach < LEAST:
+            raise Undecided("a place at which there may be a zero")
+        cells += cell.parts()
 
 
 def between(function: Function, low: Fraction, high: Fraction) -> Place:
