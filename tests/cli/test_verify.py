@@ -260,14 +260,8 @@ def test_a_colophon_says_how_many_numbers_are_confirmed(lang: str, said: str, tm
 
 
 def test_no_option_is_left_unsaid_that_the_page_counts() -> None:
-    page = library.forces(
-        ratio=[Fraction(1, 4), 0.2],
-        angle=np.array([60.0, 90.0]),
-        stroke=0.6,
-        force="5kN",
-        lang="en",
-        label="a",
-    )
+    given: dict[str, Any] = {"ratio": [Fraction(1, 4), 0.2], "stroke": 0.6, "force": "5kN"}
+    page = library.forces(**given, angle=np.array([60.0, 90.0]), lang="en", label="a")
     request = json.loads(page.typeset("json"))["request"]
     asked = {"ratio": ["1/4", 0.2], "angle": [60.0, 90.0], "stroke": 0.6, "force": "5kN", "layout": "forces"}
     assert request == {"command": "forces", "options": asked}
@@ -283,13 +277,11 @@ def test_a_machines_file_and_the_environment_are_told_as_well(tmp_path: Path) ->
 
 def test_a_long_page_says_it_too(tmp_path: Path) -> None:
     path = page_of("table --step 0.1 --columns phi,x,p", tmp_path)
-    page = json.loads(path.read_text(encoding="utf-8"))
-    assert len(page["rows"]) == 3601
-    few = [page["rows"][place] for place in (0, 7, 600, 1234, 3600)]
-    text = re.sub(
-        r'"rows": \[.*\]', lambda _: f'"rows": {json.dumps(few)}', path.read_text(), flags=re.DOTALL
-    )
-    path.write_text(text, encoding="utf-8")
+    text = path.read_text(encoding="utf-8")
+    rows = json.loads(text)["rows"]
+    assert len(rows) == 3601
+    few = json.dumps([rows[place] for place in (0, 7, 600, 1234, 3600)])
+    path.write_text(re.sub(r'(?s)"rows": \[.*\]', lambda _: f'"rows": {few}', text), encoding="utf-8")
     assert "10 of 10 numbers are confirmed" in printed("verify", str(path)).out
 
 
@@ -377,9 +369,12 @@ def test_whatever_stands_in_a_page_is_computed_or_a_sentence(line: str, tmp_path
         assert len(found.err.splitlines()) <= 1, found.err
 
 
-def test_a_text_in_place_of_a_number_is_not_passed_over(tmp_path: Path) -> None:
-    path = page_of("table --angle 60", tmp_path)
-    path.write_text(path.read_text(encoding="utf-8").replace('"x": 0.5756', '"x": "0,58?"'), encoding="utf-8")
+@pytest.mark.parametrize(
+    ("own", "other"), [('"x": 0.5756', '"x": "0,58?"'), ('"ratio": "1:5", "phi"', '"ratio": "1:4", "phi"')]
+)
+def test_no_text_and_no_other_ratio_is_passed_over(own: str, other: str, tmp_path: Path) -> None:
+    path = page_of("table --ratio 1:5 --angle 60", tmp_path)
+    path.write_text(path.read_text(encoding="utf-8").replace(own, other), encoding="utf-8")
     code, columns = verified(path, "--strict")
     assert code == 1
     assert (columns[0]["column"], columns[0]["confirmed"], columns[0]["uncomputed"]) == ("x", "0", "1")

@@ -220,7 +220,7 @@ class RequestedPage:
         printed = row.get("ratio", "1:∞" if rodless else "")
         described = DescribedDrive.of({name: raw(name) for name in ("stroke", "rod", "offset", "ratio")})
         cranks = described.cranks((printed,) if printed else self._layout.ratios)
-        found = [one for one in cranks if ratio_text(one.ratio) == printed] or cranks
+        found = [one for one in cranks if printed in ("", ratio_text(one.ratio))]
         if len(found) != 1:
             raise ProblemError("the row does not say its crank ratio as it was asked for")
         crank, radius = found[0], found[0].radius

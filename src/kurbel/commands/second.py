@@ -79,8 +79,10 @@ class SecondComputation(RequestedPage):
             return WRONG, value.digits(len(printed.partition(".")[2]), rounding)
         except KurbelError as error:
             return UNDECIDED, str(error)
-        except LookupError as error:
+        except KeyError as error:
             return UNDECIDED, f"the page lacks {error}, which others of its command have"
+        except IndexError:
+            return UNDECIDED, "the row is of nothing that was asked for"
         except TOO_WIDE as error:
             # Links that do not close, or numbers that no precision tells apart.
             return UNDECIDED, f"the second computation meets {error}"

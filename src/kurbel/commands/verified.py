@@ -74,7 +74,7 @@ def page_of(text: str, name: str) -> Page:
     if "request" not in page:
         raise ProblemError(f"{name} does not say what was asked for; write the page anew with -f json")
     if wrong := next((key for key, kind in SHAPE.items() if not isinstance(page.get(key), kind)), ""):
-        raise ProblemError(f"{name} is damaged: its {wrong} are missing or of another kind")
+        raise ProblemError(f"{name} is damaged: its {wrong} cannot be read; write the page anew with -f json")
     if not _is_whole(page):
         raise ProblemError(f"{name} is damaged: its columns, a row or what was asked for lack something")
     return page
