@@ -53,7 +53,8 @@ class LinkagePosition(NamedTuple):
 
 class Outline(NamedTuple):
     """What does not move: the shafts, about each of which a crank turns, and how far links reach to the left
-    and to the right, down and up; `stand` is of the place of the crank pin. About `pivots` links turn."""
+    and to the right, down and up; `stand` is of the place of the crank pin. About `pivots` links turn; what
+    slides does so along `lines` at these heights."""
 
     title: Words
     shafts: tuple[Point, ...]
@@ -63,6 +64,7 @@ class Outline(NamedTuple):
     low: float = -1.0
     high: float = 1.0
     pivots: tuple[Point, ...] = ()
+    lines: tuple[float, ...] = (0.0,)
 
 
 class Linkage(DeadCentres, ABC):

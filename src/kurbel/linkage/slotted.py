@@ -34,7 +34,7 @@ from kurbel.motion.entries import OF_ROD, headed, in_units, measured
 from kurbel.motion.evaluation import OUT
 from kurbel.motion.motion_quantities import FORCES, Force, force_entries, torque_entries
 from kurbel.motion.notes import digits_text
-from kurbel.page.quantity import Formula, Of, Quantity, words
+from kurbel.page.quantity import Formula, Of, Quantity, filled, words
 from kurbel.reading.given import as_number
 from kurbel.reading.notation import about, check_bounds
 
@@ -159,8 +159,9 @@ class SlottedLever(Linkage):
         left, right = -max(1.0, far), max(1.0, far)
         sides = (left - rod, right) if self.circuit == 1 else (left, right + rod)
         low = -pivot - (0 if self.swings else max(arm, 1 - pivot))
-        high = max(1.0, arm - pivot, height - pivot if rod else 0.0)
-        return Outline(TITLE, ((0, 0),), *sides, stand, min(low, -1.0), high, ((0.0, -pivot),))
+        lines = (0.0, height - pivot) if rod else (0.0,)
+        high = max(1.0, arm - pivot, *lines)
+        return Outline(TITLE, ((0, 0),), *sides, stand, min(low, -1.0), high, ((0.0, -pivot),), lines)
 
 
 def _stand(pivot: float, arm: float, line: float, rod: float, pin: Point) -> LinkagePosition:
@@ -186,7 +187,15 @@ def _stand(pivot: float, arm: float, line: float, rod: float, pin: Point) -> Lin
 # Lengths are in units of R; what letters stand for is printed once.
 _Q, _SIGMA = "$q = 1 + D^2 + 2 D sin φ$", "$sin σ = (h - B cos θ)/L$"
 _THETA = "$tan θ = -(cos φ)/(D + sin φ)$"
+_PLACE = (_Q, _THETA, _SIGMA)
 _TURNING, _GAIN = "$ω_B/ω = (1 + D sin φ)/q$", "$ε_B/ω^2 = (D (D^2 - 1) cos φ)/q^2$"
+_SLIDING, _VELOCITY = "$w/v = (D cos φ)/sqrt(q)$", "$c/v = ω_B/ω B cos(θ + σ)/(cos σ)$"
+# What becomes of formulas without a rod of the ram, σ = 0.
+_RODLESS = (
+    *((", " + _SIGMA, ""), (" + L (cos σ - cos σ_i)", ""), ("= 1/(cos σ)", "= 1"), ("= tan σ", "= 0")),
+    ("(sin(θ + σ)/(cos σ) + (B sin^2 θ)/(L cos^3 σ))", "sin θ"),
+    *(("cos(θ + σ)/(cos σ)", "cos θ"), ("cos(θ + σ)/(sqrt(q) cos σ)", "(cos θ)/sqrt(q)")),
+)
 
 
 def _lever_angle(at: At) -> Numeric:
@@ -212,99 +221,63 @@ def _path(at: At) -> Numeric:
 @cache
 def slotted_registry() -> Mapping[str, Quantity]:
     """Return every quantity of the slotted lever by its key."""
-    return {one.key: one for one in (*_lever_entries(), *_ram_entries(), *_forces())}
+    return {one.key: one for one in (*_motion(), *_forces())}
 
 
-def _lever_entries() -> Iterator[Quantity]:
+def _motion() -> Iterator[Quantity]:
     yield headed("lever", "Hebelwinkel|Lever angle", "θ", "°", Formula(_lever_angle, _THETA))
-    for key, name, letter, unit, formula in (
-        (
-            "lever_velocity", "Winkelgeschwindigkeit des Hebels|Angular velocity of the lever", "ω_B", "ω",
-            Formula(lambda at: at.place.turning, _TURNING, (_Q,)),
-        ),
-        (
-            "lever_acceleration", "Winkelbeschleunigung des Hebels|Angular acceleration of the lever", "ε_B",
-            "ω²", Formula(lambda at: at.place.gain, _GAIN, (_Q,)),
-        ),
-        (
-            "block_velocity", "Gleitgeschwindigkeit des Steins|Rubbing velocity of the block", "w", "v",
-            Formula(lambda at: at.place.slide, "$w/v = (D cos φ)/sqrt(q)$", (_Q,)),
-        ),
-        (
-            "coriolis", "Coriolisbeschleunigung|Acceleration of Coriolis", "p_C", "v²/R",
-            Formula(lambda at: kernel.coriolis(at.place), "$(p_C R)/v^2 = 2 ω_B/ω w/v$"),
-        ),
-        (
-            "rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
-            _of(kernel.rod_velocity, "$ω_L/ω = (B sin θ)/(L cos σ) ω_B/ω$", (_TURNING, _Q, _THETA, _SIGMA)),
-        ),
-        (
-            "rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L",
-            "ω²",
-            _of(
-                kernel.rod_acceleration,
-                "$ε_L/ω^2 = B/(L cos σ) (ε_B/ω^2 sin θ + ω_B^2/ω^2 cos θ) + ω_L^2/ω^2 tan σ$",
-                (_TURNING, _GAIN, _Q, _THETA, _SIGMA),
-            ),
-        ),
-    ):  # fmt: skip
-        turned = OF_ROD if key.startswith("rod") else None
-        yield from in_units(key, name, letter, unit, formula, names=(key,), direction=turned)
-
-
-def _ram_entries() -> Iterator[Quantity]:
     formula = Formula(_path, "$x/R = B (sin θ - sin θ_i) + L (cos σ - cos σ_i)$", (_THETA, _SIGMA))
     path = headed("path", "Weg|Path", "x", "R", formula, names=("path", "x"), rises=True)
     yield from (path, in_strokes(path), measured(path))
-    velocity = _of(kernel.velocity, "$c/v = ω_B/ω B cos(θ + σ)/(cos σ)$", (_TURNING, _Q, _THETA, _SIGMA))
-    names = ("velocity", "c")
-    yield from in_units("velocity", "Geschwindigkeit|Velocity", "c", "v", velocity, names=names)
-    acceleration = _of(
-        kernel.acceleration,
-        "$(p R)/v^2 = ε_B/ω^2 B cos(θ + σ)/(cos σ)"
-        " - ω_B^2/ω^2 B (sin(θ + σ)/(cos σ) + (B sin^2 θ)/(L cos^3 σ))$",
-        (_TURNING, _GAIN, _Q, _THETA, _SIGMA),
-    )
-    names = ("acceleration", "p")
-    yield from in_units("acceleration", "Beschleunigung|Acceleration", "p", "v²/R", acceleration, names=names)
+    rows: tuple[tuple[str, str, str, str, Formula], ...] = (
+        ("lever_velocity", "Winkelgeschwindigkeit des Hebels|Angular velocity of the lever", "ω_B", "ω",
+         Formula(lambda at: at.place.turning, _TURNING, (_Q,))),
+        ("lever_acceleration", "Winkelbeschleunigung des Hebels|Angular acceleration of the lever", "ε_B",
+         "ω²", Formula(lambda at: at.place.gain, _GAIN, (_Q,))),
+        ("block_velocity", "Gleitgeschwindigkeit des Steins|Rubbing velocity of the block", "w", "v",
+         Formula(lambda at: at.place.slide, _SLIDING, (_Q,))),
+        ("coriolis", "Coriolisbeschleunigung|Acceleration of Coriolis", "p_C", "v²/R",
+         Formula(lambda at: kernel.coriolis(at.place), "$(p_C R)/v^2 = 2 ω_B/ω w/v$",
+                 (_SLIDING, _TURNING, _Q))),
+        ("rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
+         _of(kernel.rod_velocity, "$ω_L/ω = (B sin θ)/(L cos σ) ω_B/ω$", (_TURNING, *_PLACE))),
+        ("rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L", "ω²",
+         _of(kernel.rod_acceleration, "$ε_L/ω^2 = B/(L cos σ) (ε_B/ω^2 sin θ + ω_B^2/ω^2 cos θ)"
+             " + ω_L^2/ω^2 tan σ$", (_TURNING, _GAIN, *_PLACE))),
+        ("velocity", "Geschwindigkeit|Velocity", "c", "v",
+         _of(kernel.velocity, _VELOCITY, (_TURNING, *_PLACE))),
+        ("acceleration", "Beschleunigung|Acceleration", "p", "v²/R",
+         _of(kernel.acceleration, "$(p R)/v^2 = ε_B/ω^2 B cos(θ + σ)/(cos σ)"
+             " - ω_B^2/ω^2 B (sin(θ + σ)/(cos σ) + (B sin^2 θ)/(L cos^3 σ))$", (_TURNING, _GAIN, *_PLACE))),
+    )  # fmt: skip
+    for key, *said in rows:
+        names = (key, str(said[1])) if said[1] in ("c", "p") else (key,)
+        yield from in_units(key, *said, names=names, direction=OF_ROD if key.startswith("rod") else None)
 
 
 _FORCES: Mapping[str, tuple[Force, Formula]] = {
     "rod_force": (
-        Force(
-            "Stangenkraft|Rod force", "S",
-            "$S$ längs der Stange, in der Richtung des Hubes"
-            "|$S$ along the rod, in the direction of the stroke",
-        ),
+        Force("Stangenkraft|Rod force", "S", "$S$ längs der Stange, in der Richtung des Hubes"
+              "|$S$ along the rod, in the direction of the stroke"),
         Formula(lambda at: 1 / at.place.slant_cosine, "$S/F = 1/(cos σ)$", (_SIGMA,)),
     ),
     "guide_force": (
-        Force(
-            "Führungsdruck|Guide force", "N",
-            "$N$ auf den Stößel, vom Drehpunkt weg|$N$ on the ram, away from the pivot",
-        ),
+        Force("Führungsdruck|Guide force", "N", "$N$ auf den Stößel, vom Drehpunkt weg"
+              "|$N$ on the ram, away from the pivot"),
         Formula(lambda at: at.place.slant / at.place.slant_cosine + 0, "$N/F = tan σ$", (_SIGMA,)),
     ),
     "block_force": (
-        Force(
-            "Kraft am Stein|Block force", "Q",
-            "$Q$ des Hebels auf den Stein, bei aufrechtem Hebel in der Richtung des Hubes"
-            "|$Q$ of the lever on the block, with the lever upright in the direction of the stroke",
-        ),
-        Formula(
-            lambda at: kernel.block_force(at.place), "$Q/F = B cos(θ + σ)/(sqrt(q) cos σ)$",
-            (_Q, _THETA, _SIGMA),
-        ),
+        Force("Kraft am Stein|Block force", "Q", "$Q$ des Hebels auf den Stein, bei aufrechtem Hebel in der"
+              " Richtung des Hubes|$Q$ of the lever on the block, with the lever upright in the direction of"
+              " the stroke"),
+        Formula(lambda at: kernel.block_force(at.place), "$Q/F = B cos(θ + σ)/(sqrt(q) cos σ)$", _PLACE),
     ),
     "tangential_force": (
-        FORCES["tangential_force"],
-        _of(kernel.velocity, "$T/F = c/v$"),
+        FORCES["tangential_force"], _of(kernel.velocity, "$T/F = c/v$", (_VELOCITY, _TURNING)),
     ),
     "radial_force": (
         FORCES["radial_force"],
-        Formula(
-            lambda at: kernel.radial_force(at.place, at.circle, at.arc), "$Z/F = Q/F (D cos φ)/sqrt(q)$"
-        ),
+        Formula(lambda at: kernel.radial_force(at.place, at.circle, at.arc), "$Z/F = Q/F (D cos φ)/sqrt(q)$"),
     ),
 }  # fmt: skip
 
@@ -346,7 +319,9 @@ LINE = words(
 
 
 def _notes(question: LinkageRequest) -> Iterator[Label]:
-    yield from _PLAIN(question)
+    rodless = all(drive.rod is None for drive in question.drives)
+    for line in _PLAIN(question):
+        yield filled(line, _RODLESS if rodless else ())
     if any(column.quantity.direction is OF_ROD for column in question.page_columns):
         yield OF_ROD[question.lang]
     for drive in question.drives:

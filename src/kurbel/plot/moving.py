@@ -221,7 +221,7 @@ def rocker_scene(crank: RockerCrank, angles: Sequence[float] = TURN) -> Scene | 
 def links_fixed(outline: Outline, beyond: float, beside: float) -> tuple[Line, ...]:
     """Return the lines of a drive that do not move, which go so far beyond shafts and beside links."""
     return (
-        Line("centre", ((outline.left - beside, 0), (outline.right + beside, 0))),
+        *(Line("centre", ((outline.left - beside, y), (outline.right + beside, y))) for y in outline.lines),
         *(line for shaft in outline.shafts for line in _crossed(shaft, beyond)),
     )
 
