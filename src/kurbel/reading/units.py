@@ -152,6 +152,9 @@ mass_of_work = Measure("a mass for a work such as 0.25 kg/kWh", "kg/J", _LARGEST
 heating_value = Measure("a heat such as 43 MJ/kg", "J/kg", 10**12)
 
 
+# Between two factors, none of which begins with a letter, and before what is taken away.
+_TIMES = re.compile(r"\s*(?<!\*)[x×*·]\s*(?=[\d.,])")
+_LESS = re.compile(r"\s+[-−]\s+|(?<=[A-DF-Za-df-z])[-−](?=[\d.,])")
 # The area of a card by its length, times the scale of its spring.
 _CARD = re.compile(r"(.+?)/\s*([^/]+?)\s*[x×*·]\s*(.+)/\s*([a-zµμ]+)\s*")
 
@@ -189,11 +192,11 @@ def delivery(text: str, what: str) -> Fraction | MassFlow:
 
 def brake_torque(text: str, what: str) -> Fraction:
     """Return a torque in N m, also of a load on an arm, less that of a spring: "1370N - 145N x 0.61m"."""
-    load, times, arm = text.replace("×", "x").partition(" x ")
-    if not times:
+    load, *arm = _TIMES.split(text, maxsplit=1)
+    if not arm:
         return replace(signed_torque, most=10**12)(text, what)
-    loads = [replace(force, most=0)(one, what) for one in load.replace("−", "-").split(" - ")]
-    return _checked((loads[0] - sum(loads[1:])) * length(arm, what), text, what, "N m", 10**12)
+    loads = [replace(force, most=0)(one, what) for one in _LESS.split(load)]
+    return _checked((loads[0] - sum(loads[1:])) * length(arm[0], what), text, what, "N m", 10**12)
 
 
 class OfTurns(NamedTuple):
@@ -221,7 +224,7 @@ _WORKS = (
 def work(text: str, what: str) -> Fraction | OfTurns:
     """Return an energy in J, also by its factors: "350kN x 200mm x 15%", "1200J/cm² x 8cm x 2cm"; of a torque
     on a shaft that turns, "2.1kNm x 144/min x 0.6s", its share of π."""
-    factors = [one.strip() for one in text.replace("×", "x").split(" x ")]
+    factors = _TIMES.split(text)
     if len(factors) == 1:
         return energy(text, what)
     kinds, found, turns = list[str](), Fraction(1), False
