@@ -143,7 +143,7 @@ def shares(masses: Sequence[PlacedMass], planes: Sequence[Fraction]) -> tuple[Ve
         return (force(masses),)
     near, far = planes
     if near == far:
-        raise ProblemError(f"both planes lie at {about(near)} m; only two different ones take up a couple")
+        raise ProblemError(f"both lie at {about(near)} m; only different planes or bearings take up a couple")
     there = moment(masses, near) * (1 / (far - near))
     return force(masses) - there, there
 

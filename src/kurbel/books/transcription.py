@@ -216,7 +216,7 @@ def known_quantity(key: str) -> str:
     """Return the key of a quantity that its axis and the ratio settle."""
     if key in registry() and not is_known(registry()[key], Crank(Fraction(1, 5))):
         raise ProblemError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
-    return allowed_name(key, [name for axis in FAMILIES for name in keys_by(axis)], "quantity")
+    return allowed_name(key, dict.fromkeys(name for axis in FAMILIES for name in keys_by(axis)), "quantity")
 
 
 def _axis(head: str) -> str:

@@ -31,13 +31,14 @@ from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.notes import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, UnletteredAxis, angle_decimals
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry, filled, for_ratio
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Texts, entry, enumerated, filled, for_ratio
 from kurbel.page.subject import OVER_AXES, Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import check_bounds
 
 PRESSED = Texts("engine", "pressed")
+MEANT = ("gas_pressure", "inertia_pressure", "left_pressure")
 
 PASCALS = 10**5
 OVER_STROKE, OVER_ANGLE = "pressures", "pressures over the angle"
@@ -280,13 +281,20 @@ def _measured(question: PressuresRequest, column: Column, where: StrokePlace) ->
 
 
 def _caption(question: PressuresRequest) -> Label:
-    ratio = for_ratio(question.ratios[0], question.lang, question.layout.ratio_symbol)
-    return filled(question.layout.caption[question.lang], [("{for_ratio}", ratio)])
+    lang = question.lang
+    ratio = for_ratio(question.ratios[0], lang, question.layout.ratio_symbol)
+    shown = {one.quantity.key: one.quantity.name[lang] for one in question.page_columns}
+    # What is left is not named beside that of which it is left.
+    names = [shown[key] for key in ("inertia_pressure", "gas_pressure") if key in shown] or shown.values()
+    places = (("{quantities}", enumerated(names, lang)), ("{for_ratio}", ratio))
+    return filled(question.layout.caption[lang], places)
 
 
 def _notes(question: PressuresRequest) -> Iterator[Label]:
     lang, pressed = question.lang, question.pressed
-    yield PRESSED["signs"][lang]
+    shown = {one.quantity.key for one in question.page_columns}
+    said = [PRESSED[key][lang] for key in MEANT if not shown.isdisjoint((key, "left_pressure"))]
+    yield "; ".join(filter(None, (", ".join(said), PRESSED["signs"][lang])))
     if not pressed.drive.moved(floats(), "exact").regular:
         inner = digits_text(lambda kind: 180 * pressed.drive.moved(kind, "exact").dead_centre(0), 3)
         yield PRESSED["slide"][lang].format(inner=inner)

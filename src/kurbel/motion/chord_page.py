@@ -86,7 +86,7 @@ DECIMALS = 6
 EXACT, COUNT = "gf", "gf_steps"
 FORMULA = "$overline(G F)_(k+1) = overline(C F)^2/(2 L - overline(G F)_k)$"
 WORDS = Texts("motion", "chord")
-_NAME = "GF nach {0} Schritten|GF after {0} steps"
+_NAME = "GF nach Schritt {0}|GF after step {0}"
 
 
 @cache

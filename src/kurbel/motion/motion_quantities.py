@@ -115,9 +115,9 @@ FORCES: Mapping[str, Force] = {
     ),
     "crosshead_load": Force(
         "Last am Kreuzkopfzapfen|Load at the crosshead pin", "F_B",
-        "$F_B$ ihre Summe am Kreuzkopfzapfen, alle in der Richtung des Hubes, beim Hingang zur Welle hin"
-        "|$F_B$ their sum at the crosshead pin, all in the direction of the stroke, on the outstroke towards"
-        " the shaft", needs=Needs.FORCE,
+        "$F_B$ Summe der Kräfte am Kreuzkopfzapfen, alle in der Richtung des Hubes, beim Hingang zur Welle"
+        " hin|$F_B$ sum of the forces at the crosshead pin, all in the direction of the stroke, on the"
+        " outstroke towards the shaft", needs=Needs.FORCE,
     ),
 }  # fmt: skip
 

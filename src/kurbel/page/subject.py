@@ -108,7 +108,7 @@ class Subject(NamedTuple, Generic[Q]):
     def name_of(self, quantity: Quantity, lang: str) -> str:
         """Return what lists call a quantity."""
         name = quantity.full_name(lang)
-        return f"{name} {plain(quantity.symbol)}" if self.letters else name
+        return f"{name} {plain(quantity.symbol)}".rstrip() if self.letters else name
 
     def column_keys(self, layout: Layout) -> tuple[str, ...]:
         """Return what --columns can choose from; a page whose heads state formulas has its own only."""

@@ -330,9 +330,11 @@ def _air_lines(source: ActingPressure, duty: Duty, shown: set[str], lang: str) -
         said = [best, *(["further_stages"] if stages > 2 else [])]
         kelvin = load.cooled * (duty.suction_temperature or 1)
         cooled = POWER_TEXTS["as_sucked"][lang] if load.cooled == 1 else f'${figure(kelvin)} "K"$'
+        pressed = POWER_TEXTS["as_perfect"][lang] if load.between is None else ""
         room = POWER_TEXTS["own_room"][lang] if load.later_clearance is None else ""
         yield "; ".join(
-            POWER_TEXTS[key][lang].format(stages=stages, cooled=cooled, room=room) for key in said
+            POWER_TEXTS[key][lang].format(stages=stages, cooled=cooled, pressed=pressed, room=room)
+            for key in said
         )
         if load.later_clearance is not None:
             yield POWER_TEXTS["second_room"][lang].format(share=figure(load.later_clearance))
