@@ -279,8 +279,7 @@ class Quotient:
             for one in (self.above, self.below)
         )
         found = above / below
-        slope: arb = (found.value, found.slope, found.bend)[order]
-        return slope
+        return ball((found.value, found.slope, found.bend)[order])
 
     def about(self, middle: Fraction) -> Quotient:
         """Return the same about another place, on a disk half as wide."""

@@ -104,8 +104,7 @@ class Course:
     @property
     def first(self) -> arb:
         """The function where the first section begins, at the dead centre."""
-        found: arb = self.sections[0].function.at(self.sections[0].start)
-        return found
+        return ball(self.sections[0].function.at(self.sections[0].start))
 
     def at(self, half_turns: Fraction) -> arb:
         """Return the function at a place of any cycle."""

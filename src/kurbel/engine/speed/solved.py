@@ -28,14 +28,15 @@ from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine.speed.run import STEP, Run, above, halved
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball, kept
-from kurbel.exact.search import crossing, interval
+from kurbel.exact.certify import at_bits, ball, kept
+from kurbel.exact.place import fraction
+from kurbel.exact.search import ISOLATING_BITS, crossing
 from kurbel.kernel.circle import root
 from kurbel.kernel.steam import larger
 
 # Around its first value the number is looked for so many times as far as this misses the mean speed, and
 # then sixteen times as far; both as shares, the nearest and the farthest.
-MARGIN, NEAREST, FARTHEST = 4, 2.0**-40, 2.0**-6
+MARGIN, NEAREST, FARTHEST = 4, 2.0**-40, 2.0**-4
 # u is below 2, for the mean speed is 1 and no speed is below 0; the lag is not above so many radians.
 MOST, MOST_LAG = 4.0, 1e13
 LEAST_LAG = 0.15
@@ -93,7 +94,7 @@ class Equation(NamedTuple):
     def number(self, factor: float = 1.0, turnings: Sequence[Any] = ()) -> float:
         """Return the number by samples, of a flywheel so many times as heavy."""
         return halved(
-            0.0, self.most, lambda one: self.beyond(self.squares(one, factor), turnings) < 0, HALVINGS
+            0.0, self.most, lambda at: self.beyond(self.squares(at, factor), turnings) < 0, HALVINGS
         )
 
     def rests(self, factor: float = 1.0, margin: float = 0.0) -> bool:
@@ -135,7 +136,7 @@ class SolvedRun(Run):
                 f"{self.wheel.unit}"
             )
         if isinstance(self.turn, Turn):
-            self._low, self._high = self._isolated(equation, Fraction(self._guess))
+            self._ends = self._isolated(equation, Fraction(self._guess))
         else:
             self._turnings = equation.squares(self._guess).turnings()
         if not self._squares().extreme(False, self._turnings)[1] > 0:
@@ -143,9 +144,7 @@ class SolvedRun(Run):
 
     def _refuse_rest(self, floats: Equation, given: float) -> NoReturn:
         # Where the speed is just nowhere below 0.
-        last = halved(
-            0.0, floats.most, lambda one: floats.squares(one).extreme(greatest=False)[1] < 0, HALVINGS
-        )
+        last = halved(0.0, floats.most, lambda one: floats.squares(one).extreme(False)[1] < 0, HALVINGS)
         self.refuse(180 * floats.squares(last).extreme(False)[0], given * floats.least_factor())
 
     def _equation(self) -> Equation:
@@ -158,15 +157,19 @@ class SolvedRun(Run):
 
     def _isolated(self, equation: Equation, guess: Fraction) -> tuple[Fraction, Fraction]:
         """Return two numbers between which the true one lies, and know the extremes between them."""
-        squares = equation.squares(ball(guess))
-        missed = float(abs(equation.beyond(squares, tuple(squares.turnings()))).upper()) + NEAREST
+
+        def beyond(number: arb) -> arb:
+            squares = equation.squares(number)
+            return ball(equation.beyond(squares, tuple(squares.turnings())))
+
+        missed = float(abs(beyond(ball(guess))).upper()) + NEAREST
         while missed < FARTHEST:
-            width = guess * Fraction(missed) * MARGIN
-            ends = guess - width, guess + width
-            self._turnings = tuple(equation.squares(interval(*ends)).turnings())
-            below, above = (equation.beyond(equation.squares(ball(end)), self._turnings) for end in ends)
-            if below < 0 and above > 0:
-                return ends
+            ends = [guess * (1 + sign * MARGIN * Fraction(missed)) for sign in (-1, 1)]
+            if beyond(ball(ends[0])) < 0 and beyond(ball(ends[1])) > 0:
+                with at_bits(ISOLATING_BITS):
+                    found = crossing(beyond, *ends)
+                self._turnings = tuple(equation.squares(found).turnings())
+                return fraction(found.lower()), fraction(found.upper())
             missed *= 16
         raise ProblemError("the speed at the dead centre is not settled; give slightly other numbers")
 
@@ -175,9 +178,7 @@ class SolvedRun(Run):
         equation = self._equation()
         number: Any = self._guess
         if isinstance(self.turn, Turn):
-            number = crossing(
-                lambda one: equation.beyond(equation.squares(one), self._turnings), self._low, self._high
-            )
+            number = crossing(lambda one: equation.beyond(equation.squares(one), self._turnings), *self._ends)
         else:
             number = equation.number(turnings=self._turnings)
             self._turnings = equation.squares(number).turnings()
