@@ -46,10 +46,11 @@ def of_drive(second: SecondComputation, key: str, method: str, row: Row) -> Valu
     """Motion and forces at a crank angle, over the path, or where the rod is square to the crank."""
     if "end" in row:
         return _of_rod_load(second, key, method, row)
-    if "share" not in row and "at" not in second.options:
+    tangent = "at" in second.options or second.key == "forces-tangent"
+    if "share" not in row and not tangent:
         return at_angle(second, key, method, second.place(row), row)
     drive = second.pushed(row)
-    if "at" in second.options:
+    if tangent:
         near = Fraction(degrees(atan(1 / drive.ratio)))
         place = second.spot(drive, lambda: root(lambda at: _square(drive, at), near))
     else:
@@ -106,7 +107,7 @@ def weighed(
 def of_engine(second: SecondComputation, key: str, method: str, at: Degrees, row: Row) -> Value:
     """A force where the load of an engine acts on the piston of the first crank."""
     if key.startswith("torque") and second.asked.says("cranks"):
-        raise ProblemError(f"{key} of several cranks is not computed a second time")
+        return _of_all(second, second.turn(method, row), key == "torque_nm", at)
     turn = second.turn(method, row, alone=True)
     bore, pressure = second.unit()
 
@@ -121,6 +122,12 @@ def of_engine(second: SecondComputation, key: str, method: str, at: Degrees, row
     if pressure is None:
         return newtons
     return Value(lambda: newtons.recipe() / (disc(bore) * pressure))
+
+
+def _of_all(second: SecondComputation, turn: verify.Turn, in_newtons: bool, at: Degrees) -> Value:
+    """The torque of all cranks."""
+    found = turn.value("tangential", at)
+    return Value(lambda: found.recipe() * second.torque(turn)) if in_newtons else found
 
 
 def _of_rod_load(second: SecondComputation, key: str, method: str, row: Row) -> Value:
@@ -209,10 +216,11 @@ def of_dead_centres(second: SecondComputation, key: str, method: str, row: Row) 
     """Of a beam engine the angles at which its dead centres lie off the vertical, and the beam's paths from
     there; by Weisbach R²/(4 a (L ± R)) in radians, and R (1 - cos) of them."""
     name, _, number_of = key.partition("_")
-    drive = second.drive(row) if "arm" in row or second.asked.says("beam") else None
+    has_beam = "arm" in row or second.arms or second.asked.says("beam")
+    drive = second.drive(row) if has_beam else None
     if drive is None or not (name in ("mu", "nu") or number_of in ("1", "2")):
         return of_drive(second, key, method, row)
-    arm = nearest(row["arm"], ()) if "arm" in row else drive.rocker or Fraction(0)
+    arm = nearest(row["arm"], ()) if "arm" in row else drive.rocker or number(second.arms[0])
     rough = method == "approximate" or not drive.ratio
     if rough:
         angles = [Value(partial(_off_vertical, drive.ratio, arm, side)) for side in (1, -1)]
@@ -238,8 +246,7 @@ def of_turn(second: SecondComputation, key: str, method: str, row: Row) -> Value
     if key in _OF_LOAD:
         return Value(lambda: _OF_LOAD[key](second, turn, second.load(row)()))
     if key == "torque_nm":
-        newtons = turn.value("tangential", at)
-        return Value(lambda: newtons.recipe() * second.torque(turn))
+        return _of_all(second, turn, True, at)
     if key in ("exponent", "clearance"):
         given = getattr(second.asked, key)
         return Value(lambda: exactly(Fraction(key == "exponent") if given is None else given))

@@ -150,7 +150,8 @@ class RequestedPage:
         return as_angular_acceleration(0 if given is None else given, "acceleration")
 
     def bodies(self, drive: verify.Drive, force: Fraction | Force, row: Row) -> verify.Bodies:
-        key = (drive, *(str(row.get(name)) for name in LOADED))
+        # All functions are of the one load of the page.
+        key = (drive, None if callable(force) else force, *(str(row.get(name)) for name in LOADED))
         if key not in self._kept:
             asked = self.asked
             known: dict[str, object] = {
@@ -210,6 +211,11 @@ class RequestedPage:
         """The layout, whose own values count where a row does not say them."""
         # A rim is of an engine whose own page is the flywheel's.
         return layout("flywheel" if self.key == "flywheel-sizing" else self.key)
+
+    @property
+    def arms(self) -> Sequence[str]:
+        """Those of a beam that the layout has."""
+        return self._layout.arms
 
     def drive(self, row: Row) -> verify.Drive:
         raw = self.asked.raw
