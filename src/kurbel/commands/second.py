@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
+from pathlib import Path
 from typing import Any, TypedDict
 
 from kurbel import verify
@@ -64,6 +65,10 @@ class Head(TypedDict):
 class SecondComputation(RequestedPage):
     """What was asked for, computed a second time."""
 
+    @cached_property
+    def _cards(self) -> dict[str, SecondComputation]:
+        return {}
+
     def verdict(self, key: str, column: Head, row: Row) -> tuple[str, str]:
         """Return whether a cell is confirmed, and else its right digits, or why it is not computed."""
         error = key.endswith("_error") and self.asked.says("card")
@@ -89,6 +94,9 @@ class SecondComputation(RequestedPage):
 
     def value(self, key: str, column: Head, row: Row) -> Value:
         """Return the value of a cell. Raises KurbelError for what is not computed a second time."""
+        cards = self.written.get("card")
+        if isinstance(cards, tuple) and len(cards) > 1 and "card" in row:
+            return self.with_card(cards, row["card"]).value(key, column, row)
         if (name := self.command) in SUMMED or (name := self.key) in SUMMED:
             stem, times = in_si(key.removesuffix(f"_{column['method']}"), column["unit"])
             plain = stem.removesuffix("_nm").removesuffix("_n")
@@ -134,6 +142,13 @@ class SecondComputation(RequestedPage):
         apart = ("unknown", "where", "units")
         kept = {name: value for name, value in self.written.items() if name not in apart}
         return SecondComputation("forces", {**kept, **options}, "forces")
+
+    def with_card(self, cards: Sequence[object], name: str) -> SecondComputation:
+        """The same of one of several cards."""
+        if name not in self._cards:
+            named = [one for one in cards if Path(str(one)).name == name]
+            self._cards[name] = SecondComputation(self.command, {**self.written, "card": named}, self.key)
+        return self._cards[name]
 
     def spot(self, key: object, find: Callable[[], FoundAngle]) -> FoundAngle:
         """A place, found once for all columns of a row."""
