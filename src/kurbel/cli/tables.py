@@ -283,7 +283,7 @@ def _chunks(rows: int) -> int:
     """Return how many chunks a long table has, of whose rows a bar tells."""
     if rows < BAR_ROWS:
         return 0
-    from kurbel.motion.records import CHUNK
+    from kurbel.motion.bulk import CHUNK
 
     return -(-rows // CHUNK)
 

@@ -13,9 +13,8 @@ from typing import TYPE_CHECKING
 from kurbel.drive.crank import largest
 from kurbel.exact.numerals import Number
 from kurbel.formats.render import folders_of, has_template, template_of
-from kurbel.motion.bulk import integer_angles
+from kurbel.motion.bulk import CHUNK, RecordRows, integer_angles
 from kurbel.motion.evaluation import MOST_DECIMALS
-from kurbel.motion.records import CHUNK, RecordRows
 from kurbel.page.axes import angle_decimals, angle_number, shifted
 from kurbel.page.build import build
 from kurbel.page.labels import plain

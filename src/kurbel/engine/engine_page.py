@@ -14,7 +14,7 @@ from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.notes import ERRORS, MAKES_DELTA, marks_delta, notes
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Label, Number, nearest
-from kurbel.motion.records import long_records
+from kurbel.motion.bulk import long_records
 from kurbel.page.axes import (
     AngleAxis,
     Axis,

@@ -18,9 +18,9 @@ from kurbel.engine.engine_quantities import ENGINE_METHODS
 from kurbel.engine.loads.words import LoadWords, words_of, words_of_cylinders
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
+from kurbel.motion.bulk import worthwhile
 from kurbel.motion.evaluation import PAGE_CELLS
 from kurbel.motion.mechanism import STRAIGHT, Mechanism
-from kurbel.motion.records import worthwhile
 from kurbel.page.quantity import Column, Of, Quantity, with_symbol, words
 from kurbel.page.subject import LEAVE_OUT, Question
 from kurbel.reading.given import choose

@@ -20,6 +20,7 @@ from kurbel.exact.numerals import Label, Number, figure
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion import motion_quantities
+from kurbel.motion.bulk import long_records
 from kurbel.motion.captions import direction_notes
 from kurbel.motion.drives import Drive
 from kurbel.motion.entries import Formulas, on_return
@@ -29,7 +30,6 @@ from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs
 from kurbel.motion.motion_quantities import Force
 from kurbel.motion.notes import force_notes, moving_notes, size_notes, turns_label
-from kurbel.motion.records import long_records
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Of, Quantity, Words, filled, words

@@ -22,10 +22,9 @@ from kurbel.exact.enclosure import column as enclosed_column
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Number
 from kurbel.kernel.circle import Circle, Numeric
-from kurbel.motion.bulk import integer_angles
+from kurbel.motion.bulk import CHUNK, Chunk, RecordRows, integer_angles
 from kurbel.motion.evaluation import MOST_DECIMALS, kernel_of
 from kurbel.motion.motion_quantities import registry
-from kurbel.motion.records import CHUNK, Chunk, RecordRows
 from kurbel.page.axes import Axis, Place
 from kurbel.page.quantity import Column, Of, Quantity
 from kurbel.page.table import Value

@@ -14,7 +14,7 @@ from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion import captions
-from kurbel.motion.bulk import columns_in_floats, is_long, on_floats
+from kurbel.motion.bulk import RecordRows, columns_in_floats, is_long, on_floats, scaled_number, worthwhile
 from kurbel.motion.evaluation import (
     DIFFERENCE,
     LOADED,
@@ -30,7 +30,6 @@ from kurbel.motion.evaluation import (
     value,
 )
 from kurbel.motion.motion_quantities import effort_keys, registry
-from kurbel.motion.records import RecordRows, scaled_number, worthwhile
 from kurbel.page.axes import (
     AngleAxis,
     ColumnAxis,

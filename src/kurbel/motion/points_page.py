@@ -14,6 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Circle, Numeric
+from kurbel.motion.bulk import long_records
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.evaluation import METHODS, OFFSET, RETURN, columns_in_balls
 from kurbel.motion.mechanism import Mechanism, mechanism
@@ -32,7 +33,6 @@ from kurbel.motion.point_quantities import (
     velocity,
 )
 from kurbel.motion.points import RodPoint, decimals_of, with_points
-from kurbel.motion.records import long_records
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Of, Quantity, Texts, bare, words
