@@ -271,7 +271,6 @@ def quantities() -> Mapping[str, Quantity]:
     return {one.key: one for one in (own, in_newtons(own), place)}
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ExtremesRequest(LinesRequest):
     """What is asked for: the greatest forces and moments of an arrangement over the turn, by orders and
     all together."""

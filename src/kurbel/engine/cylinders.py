@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
@@ -91,7 +91,6 @@ def _entry(
     return entry(key, name, symbol, unit, decimals, formulas, heads.get(key, ""), of=Of.CYLINDER, **rest)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CylindersRequest(EngineRequest):
     """What is asked for: the cylinders of one engine."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cache, partial
 from typing import Any
 
@@ -167,7 +166,6 @@ def _arc_forces() -> Iterator[Quantity]:
     return force_entries(printed, masses=True)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RockerInertiaRequest(LinkageRequest):
     """What is asked for of these drives with their rods, each called as in its own mechanism."""
 

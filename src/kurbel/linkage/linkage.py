@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from types import MappingProxyType
@@ -181,7 +181,6 @@ def _alone(key: str, shares: Formulas) -> Formulas:
     return shares
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class LinkageRequest(AngleQuestion):
     """What is asked for of these drives, alike but for their ratios, at these angles."""
 

@@ -6,7 +6,6 @@ How many of Rötscher's steps it takes until the printed digits of GF stand.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from math import floor
@@ -121,7 +120,6 @@ def _nothing(at: At) -> Numeric:
     raise ProblemError(f"column {COUNT} counts steps to decimals, which floats have not")
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ChordRequest(Request):
     """What is asked for of the steps to GF, of straight cranks at crank angles."""
 

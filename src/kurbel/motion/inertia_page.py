@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 
@@ -124,7 +123,6 @@ def rod_named(crank: Crank, lang: str) -> Label:
     return f"{WORDS['rod'][lang]} $a = {figure(1 - rod.centre)} L$, $k = {gyration_text(rod)} L$"
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class InertiaRequest(Request):
     """What is asked for of the rods of these cranks at these angles."""
 
@@ -137,7 +135,6 @@ class InertiaRequest(Request):
         return [(rod_named(one, self.lang),) for one in self.cranks] if several_rods(self) else super().told
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ErrorsRequest(CrankQuestion):
     """What is asked for: the greatest forces and errors of the rods of these cranks."""
 

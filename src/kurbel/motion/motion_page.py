@@ -82,7 +82,6 @@ class DriveQuestion(Question):
         return unknown(quantity) if any(map(self.lacks, quantity.needs)) else ""
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CrankQuestion(DriveQuestion):
     """What is asked for of straight or offset cranks."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cache
 
 from kurbel.errors import ProblemError
@@ -46,7 +45,6 @@ def _headed(quantity: Quantity) -> Quantity:
     )
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class TangentRequest(CrankQuestion):
     """What is asked for: forces of these straight cranks where the rod touches the crank circle."""
 

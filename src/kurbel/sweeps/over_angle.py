@@ -214,7 +214,6 @@ def _is_difference(column: Column) -> bool:
 IN_FLOATS = 1 << 17
 
 
-@dataclass(frozen=True)
 class CertifiedOverAngle(OverAngle):
     """The records of the command at all angles at once, which has floats for long runs of few digits."""
 
