@@ -21,6 +21,8 @@ from kurbel.reading.units import split
 
 # How a stroke is written that is not 2R: crank:300mm is R, true:600mm the way of the piston.
 CRANK, TRUE = "crank:", "true:"
+# The mechanisms whose crank the way of the piston makes; the first is not said.
+SLIDES = (None, "straight", "offset")
 
 
 def is_written(stroke: object) -> bool:
@@ -38,6 +40,11 @@ def in_strokes(given: Mapping[str, object]) -> dict[str, object]:
         radius, rod = found({**given, "stroke": stroke.removeprefix(TRUE)})
         return {"stroke": 2 * radius, "time_ratio": None, **({} if rod is None else {"rod": rod})}
     if ratio is not None:
+        if given.get("mechanism") not in SLIDES:
+            raise ProblemError(
+                "--time-ratio makes the straight or the offset crank; leave it out: that of another mechanism"
+                " follows from its lengths, `kurbel deadcentres --columns time_ratio`"
+            )
         raise ProblemError(
             "--time-ratio makes the crank and the rod of the way of the piston; add --stroke true:600mm"
         )
@@ -75,7 +82,7 @@ def found(given: Mapping[str, object]) -> tuple[Fraction, Fraction | None]:
 
 def _sizes(given: Mapping[str, object]) -> tuple[Fraction, Fraction | None]:
     stroke, offset = as_length(given["stroke"], "true stroke"), _offset(given.get("offset"))
-    if given.get("mechanism") not in (None, "straight", "offset"):
+    if given.get("mechanism") not in SLIDES:
         raise ProblemError(
             "a true stroke is that of the straight and the offset crank; write --stroke crank:300mm"
         )

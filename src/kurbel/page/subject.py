@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import prod
+from operator import attrgetter
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, Self, TypeAlias, TypeVar
 
@@ -75,7 +76,7 @@ class Subject(NamedTuple, Generic[Q]):
     quantities: Callable[[], Mapping[str, Quantity]]
     number: Callable[[Q, Column, Place, int], Value]
     notes: Callable[[Q], Iterable[Label | Note]]
-    caption: Callable[[Q], Label] = lambda question: question.filled_caption  # type: ignore[attr-defined]
+    caption: Callable[[Q], Label] = attrgetter("filled_caption")
     page_notes: Callable[[Q], Iterable[Label]] = lambda question: ()
     own_first: bool = True
     of: tuple[Of, ...] = ()
