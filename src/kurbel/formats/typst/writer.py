@@ -11,7 +11,7 @@ import re
 import unicodedata
 from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import partial
-from itertools import chain
+from itertools import chain, zip_longest
 from typing import NamedTuple
 
 from kurbel.documents.document import WORDS
@@ -197,9 +197,7 @@ def _widest_rows(panel: PagePanel, ready: PagePanel) -> tuple[tuple[PageCell, ..
         _widest_cells(plain, made)
         for plain, made in zip(zip(*panel.rows, strict=True), zip(*ready.rows, strict=True), strict=True)
     ]
-    deepest = max(map(len, columns))
-    padded = [column + [NOTHING] * (deepest - len(column)) for column in columns]
-    return tuple(zip(*padded, strict=True))
+    return tuple(zip_longest(*columns, fillvalue=NOTHING))
 
 
 def _widest_cells(plain: Sequence[PageCell], made: Sequence[PageCell]) -> list[PageCell]:
